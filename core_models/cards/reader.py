@@ -1,0 +1,121 @@
+"""Material cards read into Materials."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple
+
+from lxml import etree
+
+from core_models.cards.assembly import Blocks, assembled_laws
+from core_models.cards.blocks import check_attributes, named_children, names_of
+from core_models.cards.bodies import Cylinder, read_body
+from core_models.cards.includes import load_document
+from core_models.cards.models import check_ascending, chosen_model, read_numbers
+from core_models.cards.numbers import check_inert
+from core_models.cards.origins import origin, refusal
+from core_models.errors import MaterialError
+from core_models.material import Material
+from core_models.schema import (
+    CONSTANTS,
+    DEAD_TAGS,
+    ELASTICITY,
+    EXPANSION,
+    HEATED_FRACTION,
+    SLOTS,
+    TOLERANCE,
+    UPDATE,
+)
+
+MODEL_TAG = UPDATE.tags[0]
+BODY_TAG = "geom_object"
+
+
+class UnusedTag(NamedTuple):
+    """A tag of an old deck that is accepted and does nothing."""
+
+    tag: str
+    file: str
+    line: int
+
+
+@dataclass(frozen=True)
+class MaterialCard:
+    """What a `<material>` block says: the material, the bodies made of it, the tags that do nothing."""
+
+    material: Material
+    bodies: tuple[Cylinder, ...]
+    unused: tuple[UnusedTag, ...]
+
+
+def read_material(
+    path: str | Path, search_roots: Iterable[str | Path] = (), name: str | None = None
+) -> MaterialCard:
+    """Read a document whose root is `<material>`.
+
+    Parameters
+    ----------
+    path : the document. search_roots : folders where includes are looked for after the including file's.
+    name : the material's name; else the block's attribute `name`, else the file's stem.
+
+    Raises
+    ------
+    CardError : the document cannot be read; names file, line, wrong value and remedy.
+    MaterialError : the laws make no sense together. UnsupportedError : a known model that is not available.
+    """
+    return parse_material(load_document(path, search_roots), name)
+
+
+def parse_material(element: etree._Element, name: str | None = None) -> MaterialCard:
+    """Read a `<material>` element, say of a scene; parameters and errors as for `read_material`."""
+    if element.tag != "material":
+        raise refusal(element, f"the root is <{element.tag}>", "a material document has the root <material>")
+    check_attributes(element, ("name",))
+    blocks = _blocks(element)
+    unused = tuple(UnusedTag(tag, *origin(blocks.outer[tag])) for tag in blocks.outer if tag in DEAD_TAGS)
+    return MaterialCard(
+        material=_material(blocks, name or element.get("name") or Path(origin(element).file).stem),
+        bodies=tuple(read_body(body) for body in element.findall(BODY_TAG)),
+        unused=unused,
+    )
+
+
+def _blocks(element: etree._Element) -> Blocks:
+    outer = named_children(element, _names("material"), repeatable=(BODY_TAG,))
+    if MODEL_TAG not in outer:
+        raise refusal(
+            element, f"<material> lacks <{MODEL_TAG}>", f"add one of type {', '.join(UPDATE.types)}"
+        )
+    model = outer.pop(MODEL_TAG)
+    inner = named_children(model, _names(MODEL_TAG))
+    for tag in outer.keys() & inner.keys():
+        raise refusal(
+            outer[tag],
+            f"<{outer[tag].tag}> is given twice, first at {origin(inner[tag])}",
+            "delete one of them",
+        )
+    return Blocks(element, model, outer, inner)
+
+
+def _names(place: str) -> dict[str, str]:
+    """Every tag that may stand in `place`, mapped to its canonical name."""
+    if place == "material":
+        plain = names_of(CONSTANTS) | {tag: tag for tag in (*DEAD_TAGS, BODY_TAG)}
+    else:
+        plain = names_of((*ELASTICITY, TOLERANCE, HEATED_FRACTION, EXPANSION))
+    return plain | {tag: slot.tags[0] for slot in SLOTS if place in slot.places for tag in slot.tags}
+
+
+def _material(blocks: Blocks, name: str) -> Material:
+    update = chosen_model(blocks.model, UPDATE)
+    constants = read_numbers(blocks.element, CONSTANTS, blocks.outer, {})
+    check_ascending(blocks.element, (("room_temp", "melt_temp"),), constants, blocks.outer)
+    if EXPANSION.tag in blocks.inner:
+        check_inert(blocks.inner[EXPANSION.tag], EXPANSION)
+    settings = read_numbers(blocks.model, update.parameters, blocks.inner, {})
+    moduli = read_numbers(blocks.model, ELASTICITY, blocks.inner, {})
+    laws = assembled_laws(blocks, update.law(**settings), constants | moduli)
+    try:
+        return Material(name=name, **laws)
+    except MaterialError as error:
+        raise MaterialError(f"{origin(blocks.model)}: {error}") from error

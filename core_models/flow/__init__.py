@@ -1,0 +1,1 @@
+"""Flow stress laws."""

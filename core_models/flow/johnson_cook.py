@@ -1,0 +1,65 @@
+"""Johnson-Cook flow stress."""
+
+import math
+from typing import NamedTuple
+
+from core_models.laws import flow_stress
+
+
+class JohnsonCook(NamedTuple):
+    """Johnson-Cook flow stress with the *plastic* strain rate, solved implicitly.
+
+        sigma_y = (A + B ep^n) (1 + C ln max(rate / epdot_0, 1)) (1 - T*^m),   T* = (T - T_r) / (T_m - T_r) in [0, 1]
+
+    Parameters
+    ----------
+    A, B : [Pa], A > 0. C, n, m : [-]. epdot_0 : reference rate [1/s], > 0. T_r, T_m : [K], T_m > T_r.
+
+    Variant: that of the paper; continuous at the reference rate, no softening below T_r, zero strength at and above
+    T_m. Uintah's code differs (total rate, (1 + rate)^C below epdot_0, T_r and T_m of its own): not offered.
+    With n < 1 the slope is infinite at ep = 0: below ep = 1e-12 the hardening is a straight line.
+    Source: Johnson & Cook, 7th Int. Symp. Ballistics (1983) 541.
+    """
+
+    A: float
+    B: float
+    C: float
+    n: float
+    m: float
+    epdot_0: float
+    T_r: float
+    T_m: float
+
+    uses_temperature = True
+
+SMALLEST_STRAIN = 1e-12
+
+
+@flow_stress.register(JohnsonCook)
+def _(flow, hardening_variable, plastic_strain, plastic_rate, temperature):
+    homologous = (temperature - flow.T_r) / (flow.T_m - flow.T_r)
+    if homologous >= 1.0:
+        return 0.0, 0.0, 0.0, 0.0, 0.0
+    thermal, thermal_slope = 1.0, 0.0
+    if homologous > 0.0:
+        power = homologous**flow.m
+        thermal = 1.0 - power
+        thermal_slope = -flow.m * power / (homologous * (flow.T_m - flow.T_r))
+    hardening = flow.B * max(plastic_strain, SMALLEST_STRAIN) ** flow.n
+    if plastic_strain < SMALLEST_STRAIN:
+        slope = hardening / SMALLEST_STRAIN
+        hardening = slope * plastic_strain
+    else:
+        slope = flow.n * hardening / plastic_strain
+    rate_factor, rate_slope = 1.0, 0.0
+    if plastic_rate > flow.epdot_0:
+        rate_factor = 1.0 + flow.C * math.log(plastic_rate / flow.epdot_0)
+        rate_slope = flow.C / plastic_rate
+    strength = flow.A + hardening
+    return (
+        strength * rate_factor * thermal,
+        0.0,
+        slope * rate_factor * thermal,
+        strength * rate_slope * thermal,
+        strength * rate_factor * thermal_slope,
+    )

@@ -1,0 +1,120 @@
+"""Mechanical Threshold Stress flow law."""
+
+import math
+from typing import NamedTuple
+
+from core_models.compilation import inside_kernel
+from core_models.laws import evolve_hardening, flow_stress
+
+
+class MechanicalThreshold(NamedTuple):
+    """Mechanical Threshold Stress with the threshold stress as a true history variable.
+
+        sigma_y = sigma_a + S_e sigma_e mu(T) / mu_0
+        S_e = [1 - (k T / (g_0e b^3 mu) ln(edot_0e / rate))^(1/q_e)]^(1/p_e)
+        d sigma_e / d ep = theta_0 (1 - F) + theta_IV F,    F = tanh(alpha sigma_e / sigma_es) / tanh(alpha)
+        theta_0 = a_0 + a_1 ln(rate) + a_2 sqrt(rate) - a_3 T
+        sigma_es = sigma_es0 (rate / edot_es0)^(k T / (g_0es b^3 mu))
+        mu(T) = b1 - b2 / (exp(b3 / T) - 1)
+
+    Parameters
+    ----------
+    sigma_a, sigma_es0, theta_IV : [Pa]. koverbcubed : k/b^3 [Pa/K]. edot_0e, edot_es0 : [1/s].
+    g_0e, g_0es, q_e, p_e, alpha : [-]. a_0 [Pa], a_1 [Pa], a_2 [Pa s^0.5], a_3 [Pa/K]. b1, b2 [Pa], b3 [K], mu_0 [Pa].
+
+    Conventions: the rate is the plastic rate, not below 1e-7 /s; b1 (the 0 K modulus of mu) and mu_0 (the
+    denominator) are kept apart; the elastic shear modulus stays the card's constant. S_e is 0 where the bracket is
+    negative and 1 above edot_0e; theta_0 and mu are not below 0.
+    Source: Follansbee & Kocks, Acta Metall. 36 (1988) 81; Goto et al., Metall. Mater. Trans. A 31 (2000) 1985.
+    """
+
+    sigma_a: float
+    koverbcubed: float
+    edot_0e: float
+    g_0e: float
+    q_e: float
+    p_e: float
+    alpha: float
+    edot_es0: float
+    g_0es: float
+    sigma_es0: float
+    a_0: float
+    a_1: float
+    a_2: float
+    a_3: float
+    theta_IV: float
+    b1: float
+    b2: float
+    b3: float
+    mu_0: float
+
+    uses_temperature = True
+    hardening_variable = 0.0
+
+LOWEST_RATE = 1e-7  # 1/s
+LARGEST_SUBSTEP = 1e-3  # of equivalent plastic strain; the midpoint rule then errs by some 1e-6 of the threshold
+
+
+@inside_kernel
+def _varshni_modulus(flow, temperature):
+    return max(flow.b1 - flow.b2 / (math.exp(flow.b3 / max(temperature, 1.0)) - 1.0), 1e-6 * flow.b1)
+
+
+@inside_kernel
+def _thermal_factor(flow, rate, temperature, mu):
+    """S_e and its slope with respect to the rate."""
+    scale = flow.koverbcubed * temperature / (flow.g_0e * mu)
+    x = scale * math.log(flow.edot_0e / rate)
+    if x <= 0.0:
+        return 1.0, 0.0
+    y = x ** (1.0 / flow.q_e)
+    if y >= 1.0:
+        return 0.0, 0.0
+    s = (1.0 - y) ** (1.0 / flow.p_e)
+    return s, s / (flow.p_e * (1.0 - y)) * y / (flow.q_e * x) * scale / rate
+
+
+@inside_kernel
+def _hardening_rate(flow, threshold, theta_0, saturation):
+    f = math.tanh(flow.alpha * threshold / saturation) / math.tanh(flow.alpha)
+    return theta_0 * (1.0 - f) + flow.theta_IV * f
+
+
+@flow_stress.register(MechanicalThreshold)
+def _(flow, hardening_variable, plastic_strain, plastic_rate, temperature):
+    rate = max(plastic_rate, LOWEST_RATE)
+    mu = _varshni_modulus(flow, temperature)
+    s, s_rate = _thermal_factor(flow, rate, temperature, mu)
+    ratio = mu / flow.mu_0
+    if plastic_rate <= LOWEST_RATE:
+        s_rate = 0.0
+    step = 1e-4 * temperature
+    mu_hot = _varshni_modulus(flow, temperature + step)
+    s_hot = _thermal_factor(flow, rate, temperature + step, mu_hot)[0]
+    slope_temperature = hardening_variable * (s_hot * mu_hot / flow.mu_0 - s * ratio) / step
+    return (
+        flow.sigma_a + s * hardening_variable * ratio,
+        s * ratio,
+        0.0,
+        s_rate * hardening_variable * ratio,
+        slope_temperature,
+    )
+
+
+@evolve_hardening.register(MechanicalThreshold)
+def _(flow, hardening_variable, strain_increment, plastic_rate, temperature):
+    rate = max(plastic_rate, LOWEST_RATE)
+    mu = _varshni_modulus(flow, temperature)
+    theta_0 = max(flow.a_0 + flow.a_1 * math.log(rate) + flow.a_2 * math.sqrt(rate) - flow.a_3 * temperature, 0.0)
+    exponent = flow.koverbcubed * temperature / (flow.g_0es * mu)
+    saturation = flow.sigma_es0 * (rate / flow.edot_es0) ** exponent
+    substeps = 1 + int(strain_increment / LARGEST_SUBSTEP)
+    h = strain_increment / substeps
+    threshold = hardening_variable
+    for _substep in range(substeps):
+        middle = threshold + 0.5 * h * _hardening_rate(flow, threshold, theta_0, saturation)
+        threshold = threshold + h * _hardening_rate(flow, middle, theta_0, saturation)
+    slope = _hardening_rate(flow, threshold, theta_0, saturation)
+    f = math.tanh(flow.alpha * threshold / saturation) / math.tanh(flow.alpha)
+    theta_rate = (flow.a_1 / rate + 0.5 * flow.a_2 / math.sqrt(rate)) * (1.0 - f)
+    return threshold, slope, strain_increment * theta_rate

@@ -1,0 +1,1 @@
+"""Heat from plastic work."""

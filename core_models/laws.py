@@ -1,0 +1,148 @@
+"""The generic functions that laws register for: what each slot of a material has to answer.
+
+A law states what it needs as plain class attributes: `uses_temperature = True` asks for a temperature,
+`uses_energy = True` for the internal energy, `hardening_variable = <initial value>` for a history variable.
+"""
+
+import math
+
+from core_models.dispatch import generic
+
+
+@generic
+def elastic_moduli(elasticity):
+    """Bulk and shear modulus (K, G) [Pa] of an elasticity law."""
+
+
+@generic
+def flow_stress(flow, hardening_variable, plastic_strain, plastic_rate, temperature):
+    """Flow stress and its slopes.
+
+    Parameters
+    ----------
+    flow : the law.
+    hardening_variable : value of the law's own history variable (0 for laws without one).
+    plastic_strain : equivalent plastic strain [-], >= 0.
+    plastic_rate : its rate [1/s], >= 0.
+    temperature : [K].
+
+    Returns
+    -------
+    (stress [Pa], d/d hardening_variable, d/d plastic_strain [Pa], d/d plastic_rate [Pa s], d/d temperature [Pa/K])
+    """
+
+
+@generic
+def evolve_hardening(flow, hardening_variable, strain_increment, plastic_rate, temperature):
+    """History variable after `strain_increment`, and its slopes with respect to increment and rate."""
+
+
+@evolve_hardening.otherwise
+def _(flow, hardening_variable, strain_increment, plastic_rate, temperature):
+    return hardening_variable, 0.0, 0.0
+
+
+@generic
+def return_to_surface(
+    yield_condition, flow, trial, shear_3, stress_before, plastic_strain, hardening_variable, dt, temperature,
+    tolerance,
+):  # fmt: skip
+    """Return a trial deviator to the yield surface.
+
+    Parameters
+    ----------
+    trial : deviatoric trial stress (six components) [Pa].
+    shear_3 : three times the shear modulus that the return works against [Pa].
+    stress_before : equivalent stress before the step [Pa], for a first guess.
+    plastic_strain, hardening_variable, temperature : state before the step.
+    dt : [s]. tolerance : relative, of the consistency condition.
+
+    Returns
+    -------
+    (factor on the trial deviator, equivalent plastic strain increment, flow stress [Pa], hardening variable, status)
+    """
+
+
+@generic
+def pressure(eos, volume_ratio, energy):
+    """Mean Cauchy stress (tension positive) of an equation of state.
+
+    Parameters
+    ----------
+    volume_ratio : J = det F > 0. energy : internal energy per reference volume [J/m^3].
+
+    Returns
+    -------
+    (mean stress [Pa], d/dJ at constant energy [Pa], d/d energy [-])
+    """
+
+
+@generic
+def is_beyond_eos(eos, volume_ratio):
+    """Whether J lies where the equation of state has no meaning (beyond its pole)."""
+
+
+@generic
+def melting_temperature(melting):
+    """Melting temperature [K]."""
+
+
+@melting_temperature.register(type(None))
+def _(melting):
+    return math.inf
+
+
+@generic
+def heat_capacity(specific_heat, temperature):
+    """Specific heat [J/(kg K)]."""
+
+
+@heat_capacity.register(type(None))
+def _(specific_heat, temperature):
+    return math.inf
+
+
+@generic
+def heated_fraction(heating):
+    """Fraction of the plastic work that becomes heat [-]."""
+
+
+@heated_fraction.register(type(None))
+def _(heating):
+    return 0.0
+
+
+@generic
+def damage_increment(damage, strain_increment, plastic_rate, temperature, mean_stress, equivalent_stress):
+    """Increase of the damage variable [-] for an increment of equivalent plastic strain."""
+
+
+@damage_increment.register(type(None))
+def _(damage, strain_increment, plastic_rate, temperature, mean_stress, equivalent_stress):
+    return 0.0
+
+
+@generic
+def eroded_stress(erosion, damage, deviator, mean_stress):
+    """Deviator and mean stress of a point whose damage variable is `damage`; unchanged below 1."""
+
+
+@eroded_stress.register(type(None))
+def _(erosion, damage, deviator, mean_stress):
+    return deviator, mean_stress
+
+
+@generic
+def advance_point(update, material, viscosity, f0, f1, dt, length, point):
+    """Advance one point by one step.
+
+    Parameters
+    ----------
+    update : the stress update. material : `Model` (laws by slot). viscosity : bulk viscosity or None.
+    f0, f1 : deformation gradient before and after the step. dt : [s]. length : characteristic length [m].
+    point : `PointState` before the step.
+
+    Returns
+    -------
+    (status, `PointState` after the step, `Balance`)
+    """

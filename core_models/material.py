@@ -1,0 +1,227 @@
+"""A material: one law per slot, and which slots fit together."""
+
+from dataclasses import dataclass, fields
+from typing import Any, NamedTuple
+
+from core_models.eos.default_hypo import DefaultHypoelastic
+from core_models.eos.mie_gruneisen import MieGruneisen
+from core_models.errors import MaterialError
+from core_models.flow.johnson_cook import JohnsonCook
+from core_models.laws import (
+    damage_increment,
+    elastic_moduli,
+    eroded_stress,
+    flow_stress,
+    heat_capacity,
+    heated_fraction,
+    melting_temperature,
+    pressure,
+    return_to_surface,
+)
+from core_models.model import Model
+from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
+from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+
+SLOTS = {
+    "elasticity": elastic_moduli,
+    "eos": pressure,
+    "flow": flow_stress,
+    "yield_condition": return_to_surface,
+    "damage": damage_increment,
+    "melting": melting_temperature,
+    "specific_heat": heat_capacity,
+    "heating": heated_fraction,
+    "erosion": eroded_stress,
+}
+EMPTY_SLOTS = ("shear_modulus", "kinematic_hardening", "stability")
+LARGEST_MODULUS_GAP = 0.2  # between the card's bulk modulus and rho_0 C_0^2
+
+
+class Effect(NamedTuple):
+    """One physical effect: whether it is simulated, and why."""
+
+    name: str
+    on: bool
+    reason: str
+
+
+@dataclass(frozen=True)
+class Material:
+    """A material: density and one law per slot; `None` is an absent effect.
+
+    Parameters
+    ----------
+    name : for messages and reports. density : reference density rho_0 [kg/m^3].
+    update : HypoelasticPlastic or HyperelasticPlastic. The other slots : laws of core_models.<slot>.
+    room_temperature : initial temperature unless a body gives its own [K].
+    thermal_conductivity : [W/(m K)], kept for the card's sake: conduction is not simulated.
+
+    Raises
+    ------
+    MaterialError : a law in the wrong slot, or laws that make no sense together.
+    """
+
+    name: str
+    density: float
+    update: HypoelasticPlastic | HyperelasticPlastic
+    elasticity: Any
+    eos: Any
+    flow: Any = None
+    yield_condition: Any = None
+    shear_modulus: Any = None
+    kinematic_hardening: Any = None
+    damage: Any = None
+    melting: Any = None
+    specific_heat: Any = None
+    heating: Any = None
+    stability: Any = None
+    erosion: Any = None
+    room_temperature: float = 294.0
+    thermal_conductivity: float | None = None
+
+    def __post_init__(self) -> None:
+        check_slots(self)
+        check_combination(self)
+
+    @property
+    def model(self) -> Model:
+        """The laws as compiled code sees them."""
+        return Model(*(getattr(self, name) for name in Model._fields))
+
+    @property
+    def laws(self) -> tuple:
+        """All laws that are present."""
+        return tuple(law for law in self.model if isinstance(law, tuple))
+
+    def uses(self, need: str) -> bool:
+        """Whether any law states the need `uses_temperature` or `uses_energy`."""
+        return any(getattr(law, need, False) for law in self.laws)
+
+    @property
+    def needs_temperature(self) -> bool:
+        """Whether points carry a temperature."""
+        return self.uses("uses_temperature") or self.melting is not None or self.heating is not None
+
+    def effects(self) -> list[Effect]:
+        """Which effects this material brings into a simulation, and why the others are absent."""
+        return _effects(self)
+
+
+def check_slots(material: Material) -> None:
+    """Refuse a law in a slot whose generic function it does not implement."""
+    for field in fields(material):
+        value = getattr(material, field.name)
+        if field.name in EMPTY_SLOTS and value is not None:
+            raise MaterialError(
+                f"{material.name}: the slot {field.name} takes no law yet ({type(value).__name__} given): leave it out"
+            )
+        if field.name in SLOTS and type(value) not in SLOTS[field.name].implementations and value is not None:
+            known = ", ".join(sorted(c.__name__ for c in SLOTS[field.name].implementations if c is not type(None)))
+            raise MaterialError(
+                f"{material.name}: {type(value).__name__} is no law for the slot {field.name}: use one of {known}"
+            )
+    if not isinstance(material.update, HypoelasticPlastic | HyperelasticPlastic):
+        raise MaterialError(f"{material.name}: update must be HypoelasticPlastic or HyperelasticPlastic")
+    for required in ("elasticity", "eos"):
+        if getattr(material, required) is None:
+            raise MaterialError(f"{material.name}: a material needs a law in the slot {required}")
+
+
+def check_combination(material: Material) -> None:
+    """Refuse combinations of laws and parameters that make no sense together."""
+    for wrong, remedy in _complaints(material):
+        if wrong:
+            raise MaterialError(f"{material.name}: {remedy}")
+
+
+def _complaints(m: Material):
+    bulk, shear = elastic_moduli(m.elasticity)
+    melting = melting_temperature(m.melting)
+    yield (not m.density > 0.0, f"density must be positive, not {m.density!r} kg/m^3")
+    yield (not (bulk > 0.0 and shear > 0.0), f"bulk and shear modulus must be positive, not {bulk!r} and {shear!r} Pa")
+    yield (
+        isinstance(m.update, HyperelasticPlastic) and isinstance(m.eos, DefaultHypoelastic),
+        "the hyperelastic update needs a stored energy, which default_hypo has not: take neo_hookean or mie_gruneisen",
+    )
+    yield (
+        (m.flow is None) != (m.yield_condition is None),
+        "a flow law and a yield condition go together: give both (von Mises with any flow law here) or neither",
+    )
+    if isinstance(m.eos, MieGruneisen):
+        stiffness = m.eos.reference_density * m.eos.C_0**2
+        yield (
+            m.eos.reference_density != m.density,
+            f"the equation of state has reference density {m.eos.reference_density!r}, the material {m.density!r}",
+        )
+        yield (
+            abs(stiffness - bulk) > LARGEST_MODULUS_GAP * bulk,
+            f"rho_0 C_0^2 = {stiffness:.4g} Pa and the bulk modulus {bulk:.4g} Pa differ by more than "
+            f"{LARGEST_MODULUS_GAP:.0%}: they describe the same stiffness, correct one of them",
+        )
+    yield (
+        m.heating is not None and (m.specific_heat is None or m.flow is None),
+        "plastic heating needs a flow law and a specific heat: add specific_heat or leave heating out",
+    )
+    yield (
+        m.damage is not None and m.flow is None,
+        "damage grows with plastic strain: add a flow law or leave damage out",
+    )
+    yield (
+        m.erosion is not None and m.damage is None,
+        "erosion acts on failed points: add a damage law or leave erosion out",
+    )
+    yield (
+        m.melting is not None and not melting > m.room_temperature,
+        f"melt_temp {melting!r} K must lie above room_temp {m.room_temperature!r} K",
+    )
+    for law in (m.flow, m.damage):
+        if hasattr(law, "T_m"):
+            yield (
+                not law.T_m > law.T_r,
+                f"{type(law).__name__}: melting temperature T_m = {law.T_m!r} K must lie above T_r = {law.T_r!r} K",
+            )
+    if isinstance(m.flow, JohnsonCook) and m.melting is not None:
+        yield (
+            m.flow.T_m > melting,
+            f"Johnson-Cook T_m = {m.flow.T_m!r} K lies above melt_temp = {melting!r} K: the point would melt first",
+        )
+    if m.flow is not None:
+        variable = getattr(m.flow, "hardening_variable", 0.0)
+        start = flow_stress(m.flow, variable, 0.0, 0.0, m.room_temperature)[0]
+        yield (
+            not 0.0 <= start < shear,
+            f"the initial flow stress {start:.4g} Pa must lie between 0 and the shear modulus {shear:.4g} Pa",
+        )
+
+
+def _effects(m: Material) -> list[Effect]:
+    softens = getattr(m.flow, "uses_temperature", False)
+    return [
+        Effect("plasticity", m.flow is not None, _why(m.flow, "the card has no flow law")),
+        Effect(
+            "equation of state with energy",
+            m.uses("uses_energy"),
+            _why(m.eos if m.uses("uses_energy") else None, f"{type(m.eos).__name__} does not depend on the energy"),
+        ),
+        Effect(
+            "plastic heating",
+            m.heating is not None,
+            _why(m.heating, "no law of the card depends on the temperature, or it gives no specific heat"),
+        ),
+        Effect(
+            "thermal softening",
+            softens,
+            _why(m.flow if softens else None, "the flow law does not depend on the temperature"),
+        ),
+        Effect("melting", m.melting is not None, _why(m.melting, "the card gives no melt_temp")),
+        Effect("damage", m.damage is not None, _why(m.damage, "the card has no damage model")),
+        Effect(
+            "erosion",
+            m.erosion is not None,
+            _why(m.erosion, "the card asks for none: damage is computed and reported, it does not act"),
+        ),
+    ]
+
+
+def _why(law: Any, absent: str) -> str:
+    return absent if law is None else f"the card asks for it ({type(law).__name__})"

@@ -1,0 +1,1 @@
+"""Melting temperature laws."""

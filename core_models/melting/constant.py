@@ -1,0 +1,21 @@
+"""Constant melting temperature."""
+
+from typing import NamedTuple
+
+from core_models.laws import melting_temperature
+
+
+class ConstantMelting(NamedTuple):
+    """Constant melting temperature: at and above it a point carries no deviatoric stress.
+
+    Parameters
+    ----------
+    melting_temperature : T_m [K], > 0.
+    """
+
+    melting_temperature: float
+
+
+@melting_temperature.register(ConstantMelting)
+def _(melting):
+    return melting.melting_temperature

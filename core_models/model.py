@@ -1,0 +1,19 @@
+"""The laws of a material as compiled code sees them."""
+
+from typing import NamedTuple
+
+
+class Model(NamedTuple):
+    """One law per slot, `None` for an absent effect; the types of the slots are part of the compiled signature."""
+
+    density: float
+    update: tuple
+    elasticity: tuple
+    eos: tuple
+    flow: tuple | None
+    yield_condition: tuple | None
+    damage: tuple | None
+    melting: tuple | None
+    specific_heat: tuple | None
+    heating: tuple | None
+    erosion: tuple | None

@@ -1,0 +1,169 @@
+"""Material points: what a particle of the material point method and a quadrature point of a finite element share."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from core_models.bulk_viscosity import BulkViscosity
+from core_models.compilation import CHUNK
+from core_models.errors import RunFailure
+from core_models.kernels import PLASTIC, VISCOUS, WORK, advance_points
+from core_models.laws import elastic_moduli, pressure
+from core_models.material import Material
+from core_models.state import State
+from core_models.status import MEANING, OK
+from core_models.threads import Threads
+from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
+from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+
+UNITS = {
+    "stress": "Pa",
+    "rotation": "1",
+    "left_stretch": "1",
+    "elastic_left_cauchy_green": "1",
+    "equivalent_plastic_strain": "1",
+    "hardening_variable": "Pa",
+    "temperature": "K",
+    "damage": "1",
+    "internal_energy": "J/m^3",
+}
+
+
+class Field(NamedTuple):
+    """A named quantity at material points."""
+
+    name: str
+    unit: str
+    shape: tuple[int, ...]
+    array: np.ndarray
+
+
+class Work(NamedTuple):
+    """Work done on all points during a step [J]."""
+
+    stress: float
+    plastic: float
+    viscous: float
+
+
+class PointFailure(Exception):
+    """A step that some point cannot take; the solver redoes it smaller before it gives up."""
+
+    def __init__(self, status: int, point: int) -> None:
+        self.status = status
+        self.point = point
+        super().__init__(MEANING[status])
+
+
+class MaterialPoints:
+    """State of n material points, laid out from the material: no array for an effect that is off.
+
+    Parameters
+    ----------
+    material : laws. reference_volumes : (n,) [m^3]. temperature : initial [K]; None for the material's room temperature.
+    viscosity : bulk viscosity or None. threads : worker threads.
+
+    `advance` reads the state `old` and writes `new`; `accept` makes the new state the old one. A step that is
+    rejected is simply advanced again.
+    """
+
+    def __init__(
+        self,
+        material: Material,
+        reference_volumes: np.ndarray,
+        temperature: float | None = None,
+        viscosity: BulkViscosity | None = None,
+        threads: Threads | None = None,
+    ) -> None:
+        self.material = material
+        self.model = material.model
+        self.viscosity = viscosity
+        self.reference_volumes = np.ascontiguousarray(reference_volumes, dtype=np.float64)
+        self.n = len(self.reference_volumes)
+        self.threads = threads or Threads(1)
+        start = material.room_temperature if temperature is None else temperature
+        self.old = initial_state(material, self.n, start)
+        self.new = initial_state(material, self.n, start)
+        self.old_deformation_gradient = np.tile(np.eye(3), (self.n, 1, 1))
+        self.deformation_gradient = self.old_deformation_gradient.copy()
+        self.viscous_pressure = None if viscosity is None else np.zeros(self.n)
+        self.lengths = None if viscosity is None else np.zeros(self.n)
+        self.wave_speed = np.full(self.n, initial_wave_speed(material))
+        chunks = -(-self.n // CHUNK)
+        self._sums = np.zeros((chunks, 3))
+        self._failures = np.zeros((chunks, 2), dtype=np.int64)
+
+    def advance(self, dt: float) -> Work:
+        """Advance all points from `old_deformation_gradient` to `deformation_gradient` within dt [s].
+
+        Raises PointFailure naming the first point that cannot follow.
+        """
+        self.threads.run(
+            advance_points, len(self._sums), self.model, self.viscosity, self.old_deformation_gradient,
+            self.deformation_gradient, dt, self.reference_volumes, self.lengths, self.old, self.new, self.wave_speed,
+            self.viscous_pressure, self._sums, self._failures,
+        )  # fmt: skip
+        bad = np.flatnonzero(self._failures[:, 0] != OK)
+        if bad.size:
+            raise PointFailure(*(int(value) for value in self._failures[bad[0]]))
+        sums = self._sums.sum(axis=0)
+        return Work(float(sums[WORK]), float(sums[PLASTIC]), float(sums[VISCOUS]))
+
+    def accept(self) -> None:
+        """Make the new state the old one."""
+        self.old, self.new = self.new, self.old
+        self.old_deformation_gradient, self.deformation_gradient = (
+            self.deformation_gradient,
+            self.old_deformation_gradient,
+        )
+
+    @property
+    def volume_ratio(self) -> np.ndarray:
+        """J = det F of the accepted state, (n,)."""
+        return np.linalg.det(self.old_deformation_gradient)
+
+    def fields(self) -> dict[str, Field]:
+        """All quantities of the accepted state by name, with unit and shape."""
+        arrays = {"deformation_gradient": ("1", self.old_deformation_gradient)}
+        arrays |= {name: (UNITS[name], array) for name, array in self.old._asdict().items() if array is not None}
+        if self.viscous_pressure is not None:
+            arrays["viscous_pressure"] = ("Pa", self.viscous_pressure)
+        return {name: Field(name, unit, array.shape[1:], array) for name, (unit, array) in arrays.items()}
+
+    def failure(self, reason: PointFailure, step: int, time: float) -> RunFailure:
+        """The error that ends a run: names step, time, point, law and what to try."""
+        laws = ", ".join(type(law).__name__ for law in self.material.laws)
+        return RunFailure(
+            f"step {step}, t = {time:.6e} s, point {reason.point}: {reason} even after the step was made smaller "
+            f"(material {self.material.name}: {laws}); try a finer resolution or a smaller time step"
+        )
+
+
+def initial_state(material: Material, n: int, temperature: float) -> State:
+    """State of n stress-free points at a temperature [K], with arrays only for what the material needs."""
+
+    def scalar(needed: bool, value: float = 0.0) -> np.ndarray | None:
+        return np.full(n, value) if needed else None
+
+    hypo = isinstance(material.update, HypoelasticPlastic)
+    hyper = isinstance(material.update, HyperelasticPlastic)
+    unit = np.tile([1.0, 1.0, 1.0, 0.0, 0.0, 0.0], (n, 1))
+    variable = getattr(material.flow, "hardening_variable", None)
+    return State(
+        stress=np.zeros((n, 6)),
+        rotation=np.tile(np.eye(3), (n, 1, 1)) if hypo else None,
+        left_stretch=unit.copy() if hypo else None,
+        elastic_left_cauchy_green=unit.copy() if hyper else None,
+        equivalent_plastic_strain=scalar(material.flow is not None),
+        hardening_variable=scalar(variable is not None, variable or 0.0),
+        temperature=scalar(material.needs_temperature, temperature),
+        damage=scalar(material.damage is not None),
+        internal_energy=scalar(material.uses("uses_energy")),
+    )
+
+
+def initial_wave_speed(material: Material) -> float:
+    """Longitudinal wave speed of the unstressed material [m/s]."""
+    shear = elastic_moduli(material.elasticity)[1]
+    bulk = pressure(material.eos, 1.0, 0.0)[1]
+    return float(np.sqrt((bulk + 4.0 / 3.0 * shear) / material.density))

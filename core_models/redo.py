@@ -1,0 +1,38 @@
+"""The policy for steps that go wrong: redo smaller a few times, then give up with a typed error."""
+
+import logging
+
+from core_models.errors import RunFailure
+from core_models.points import PointFailure
+
+logger = logging.getLogger(__name__)
+
+MAXIMUM_REDOS = 6
+REDUCTION = 0.25
+VANISHING_STEP = 1e-6  # of the first step's size: below it a run would not come to an end
+
+
+def redoing(attempt, dt: float, smallest: float, explain) -> float:
+    """Call attempt(dt) until it does not raise PointFailure, each time with a quarter of the step.
+
+    Parameters
+    ----------
+    attempt : takes dt [s]; must leave everything as it was when it raises. smallest : step not to go below [s].
+    explain : turns the last PointFailure into the RunFailure that ends the run.
+
+    Returns the step that worked [s].
+    """
+    for redo in range(MAXIMUM_REDOS + 1):
+        if not dt > smallest:
+            raise RunFailure(
+                f"the time step has shrunk to {dt:.3e} s: an element or cell is crushed beyond use; "
+                "try a coarser mesh at the foot or the material point method"
+            )
+        try:
+            attempt(dt)
+            return dt
+        except PointFailure as reason:
+            failure = reason
+            logger.info("step of %.3e s redone (%d): %s at point %d", dt, redo + 1, reason, reason.point)
+            dt *= REDUCTION
+    raise explain(failure)

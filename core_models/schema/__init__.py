@@ -1,0 +1,36 @@
+"""The declarative schema of material cards: what is read, checked, written and listed."""
+
+from core_models.schema.entries import Inert, Interval, ModelSchema, Parameter, SlotSchema
+from core_models.schema.quantities import (
+    BODY,
+    CONSTANTS,
+    CYLINDER,
+    DEAD_TAGS,
+    ELASTICITY,
+    EXPANSION,
+    HEATED_FRACTION,
+    TOLERANCE,
+    UNAVAILABLE_SHAPES,
+    UNAVAILABLE_TAGS,
+)
+from core_models.schema.slots import SLOTS, UPDATE
+
+__all__ = [
+    "BODY",
+    "CONSTANTS",
+    "CYLINDER",
+    "DEAD_TAGS",
+    "ELASTICITY",
+    "EXPANSION",
+    "HEATED_FRACTION",
+    "SLOTS",
+    "TOLERANCE",
+    "UNAVAILABLE_SHAPES",
+    "UNAVAILABLE_TAGS",
+    "UPDATE",
+    "Inert",
+    "Interval",
+    "ModelSchema",
+    "Parameter",
+    "SlotSchema",
+]

@@ -1,0 +1,80 @@
+"""The card schema of plain tags: constants, elastic moduli, bodies, dead tags."""
+
+from core_models.schema.entries import ANY, NOT_NEGATIVE, POSITIVE, ZERO, Inert, Interval, Parameter
+
+CONSTANTS = (
+    Parameter("density", "kg/m^3", POSITIVE, "mass density of the undeformed body"),
+    Parameter("thermal_conductivity", "W/(m K)", NOT_NEGATIVE, "heat conductivity", optional=True),
+    Parameter(
+        "specific_heat", "J/(kg K)", POSITIVE, "constant specific heat", "specific_heat.value", optional=True
+    ),
+    Parameter("room_temp", "K", NOT_NEGATIVE, "room temperature", "room_temperature", optional=True),
+    Parameter(
+        "melt_temp", "K", POSITIVE, "melting temperature", "melting.melting_temperature", optional=True
+    ),
+)
+
+ELASTICITY = (
+    Parameter("bulk_modulus", "Pa", POSITIVE, "bulk modulus K", "elasticity.bulk_modulus"),
+    Parameter("shear_modulus", "Pa", POSITIVE, "shear modulus G", "elasticity.shear_modulus"),
+)
+
+TOLERANCE = Parameter(
+    "tolerance",
+    "-",
+    Interval(0.0, 1e-3, low_open=True),
+    "relative tolerance of the return to the yield surface",
+    default=1e-10,
+)
+
+HEATED_FRACTION = Parameter(
+    "taylor_quinney_coeff",
+    "-",
+    Interval(0.0, 1.0, low_open=True),
+    "fraction of the plastic work that becomes heat",
+    feeds="fraction",
+    default=0.9,
+)
+
+EXPANSION = Inert("coeff_thermal_expansion", ZERO, "thermal expansion")
+
+CYLINDER = (
+    Parameter("bottom", "m", ANY, "centre of the lower end", size=3),
+    Parameter("top", "m", ANY, "centre of the upper end", size=3),
+    Parameter("radius", "m", POSITIVE, "radius"),
+)
+
+BODY = (
+    Parameter("velocity", "m/s", ANY, "initial velocity", size=3),
+    Parameter("temperature", "K", POSITIVE, "initial temperature"),
+    Parameter("res", "-", POSITIVE, "points per cell and direction", size=3, whole=True, optional=True),
+)
+
+UNAVAILABLE_SHAPES = (
+    "box",
+    "sphere",
+    "cone",
+    "ellipsoid",
+    "torus",
+    "union",
+    "intersection",
+    "difference",
+    "file",
+)
+
+DEAD_TAGS = ("toughness", "burn", "velocity_field", "C_p")
+
+UNAVAILABLE_TAGS = (
+    "do_melting",
+    "isothermal",
+    "evolve_porosity",
+    "check_TEPLA_failure_criterion",
+    "check_max_stress_failure",
+    "compute_specific_heat",
+    "initial_material_temperature",
+    "plastic_convergence_algo",
+    "useModifiedEOS",
+    "critical_stress",
+    "deviatoric_stress_model",
+    "visco_plasticity_model",
+)

@@ -1,0 +1,1 @@
+"""Stress updates: hypoelastic-plastic and hyperelastic-plastic."""

@@ -1,0 +1,21 @@
+"""Rigid frictionless walls at z = 0: two names, the same meaning in both methods."""
+
+import difflib
+
+from core_models.errors import SceneError
+
+UNILATERAL = "unilateral"
+PLANE = "plane"
+
+MEANING = {
+    UNILATERAL: "nothing passes, everything may leave",
+    PLANE: "what touches the wall is held at zero normal velocity from then on",
+}
+
+
+def check_wall(name: str) -> str:
+    """The wall's name if there is such a wall; SceneError with the nearest one otherwise."""
+    if name in MEANING:
+        return name
+    near = difflib.get_close_matches(str(name), MEANING, n=1) or [UNILATERAL]
+    raise SceneError(f"no wall is called {name!r}: did you mean {near[0]!r}? Walls are {', '.join(MEANING)}")

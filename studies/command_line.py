@@ -1,0 +1,61 @@
+"""The command `matpoint`: one small module per verb, imported only when it is used."""
+
+import argparse
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+
+from core_models.errors import MatpointError
+from studies.options import Parser
+from studies.own_packages import check_own_packages
+
+VERBS = {
+    "run": "run a scene by one method",
+    "compare": "run a scene by several methods and resolutions and write a report",
+    "check": "read a scene, say what would be simulated, run nothing",
+    "scenes": "list the shipped scenes",
+    "models": "list the material laws, or explain one",
+    "bench": "measure the speed of this machine",
+}
+EXAMPLES = """examples:
+  matpoint compare taylor-copper-jc --out results/copper
+  matpoint run taylor-classic --method mpm --resolution 16 --wall plane
+  matpoint models johnson_cook
+"""
+INTERRUPTED = 130
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command; returns the exit status: 0, 2 for bad input, 3 for a run that went wrong."""
+    try:
+        check_own_packages()
+        options = _parse(list(sys.argv[1:] if arguments is None else arguments))
+        return options.execute(options)
+    except MatpointError as error:
+        print(f"matpoint: {error}", file=sys.stderr)
+        return error.exit_status
+    except KeyboardInterrupt:
+        print("matpoint: interrupted; what had been written is kept, without run.json", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        sys.stderr.close()
+        return 0
+
+
+def _parse(arguments: list[str]) -> argparse.Namespace:
+    parser = Parser(
+        prog="matpoint",
+        description="Impact and large deformation by the material point and finite element methods, one set of laws.",
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    verbs = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    asked = next((word for word in arguments if not word.startswith("-")), None)
+    for verb, summary in VERBS.items():
+        own = verbs.add_parser(verb, help=summary, formatter_class=argparse.RawDescriptionHelpFormatter)
+        if verb == asked:
+            module = import_module(f"studies.commands.{verb}")
+            own.description, own.epilog = module.__doc__.split("\n\n", 1)
+            module.add_options(own)
+            own.set_defaults(execute=module.execute, known_options=own.option_names)
+    return parser.parse(arguments)

@@ -1,0 +1,48 @@
+"""Run a scene by several methods at several resolutions and compare them.
+
+examples:
+  matpoint compare taylor-copper-jc
+  matpoint compare taylor-classic --wall plane --resolution 8,12,16 --out results/classic
+  matpoint compare taylor-ofhc-190 --methods mpm --threads 2
+
+Prints a table and writes results.json, report.html and one folder per run.
+Exit status: 0; 2 bad input; 3 a run went wrong (the others are still compared).
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+from core_models.errors import RunFailure
+from studies.default_folder import default_folder
+from studies.options import add_method_options, add_scene_options, asked_scene
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Options of `matpoint compare`."""
+    add_scene_options(parser)
+    add_method_options(parser)
+
+
+def execute(options: argparse.Namespace) -> int:
+    """Compare, print the table and where the report is."""
+    scene = asked_scene(options)
+    from studies.comparing import compare
+    from studies.methods import METHODS
+    from studies.text_table import comparison_text
+
+    out = Path(options.out or default_folder(scene.name))
+    comparison = compare(
+        scene,
+        options.methods or tuple(METHODS),
+        options.resolution,
+        wall=options.wall,
+        threads=options.threads,
+        out=out,
+        progress=sys.stderr.isatty(),
+    )
+    if comparison.notice:
+        print(f"matpoint: {comparison.notice}", file=sys.stderr)
+    page = out / "report.html"
+    print(f"{comparison_text(comparison)}\n\n{page if page.exists() else out / 'results.json'}")
+    return RunFailure.exit_status if comparison.failed else 0

@@ -1,0 +1,84 @@
+"""Running a comparison: every method at every resolution, results.json, report."""
+
+from dataclasses import asdict
+from pathlib import Path
+
+from core_models.errors import UnsupportedError
+from studies.comparison import Comparison, conclude
+from studies.methods import check_resolution, find_method, resolutions_of
+from studies.output_folder import OutputFolder
+from studies.report.page import report_page
+from studies.run_record import run_entry, to_json
+from studies.run_result import RunResult
+from studies.running import simulate
+from studies.scene import Scene, check_wall
+from studies.versions import processor, versions
+
+
+def compare(
+    scene: Scene,
+    methods: tuple[str, ...] = ("fem-explicit", "mpm"),
+    resolutions: tuple[int, ...] | None = None,
+    *,
+    wall: str | None = None,
+    threads: int = 1,
+    out: Path | str | None = None,
+    progress: bool = False,
+) -> Comparison:
+    """Run a scene by every method at every resolution under one wall and compare.
+
+    resolutions: elements or cells across the radius (default: the scene's own for each method); out: folder for
+    results.json and one subfolder per run (default: nothing is written). A run that goes wrong is recorded with
+    its message and does not stop the others. Raises SceneError, OutputError before anything is written.
+    """
+    wall = check_wall(wall or scene.wall)
+    plan = [(method, n) for method in methods for n in sorted(resolutions or _own(scene, method))]
+    for method, resolution in plan:
+        find_method(method)
+        check_resolution(resolution)
+    if out is None:
+        return conclude(scene, wall, [_one(scene, *job, wall, threads, None, progress) for job in plan])
+    with OutputFolder(out) as folder:
+        runs = [_one(scene, *job, wall, threads, folder, progress) for job in plan]
+        comparison = conclude(scene, wall, runs)
+        folder.write_text("results.json", to_json(results(comparison)))
+        _report(comparison, folder)
+    return comparison
+
+
+def _report(comparison: Comparison, folder: OutputFolder) -> None:
+    try:
+        folder.write_text("report.html", report_page(comparison))
+    except UnsupportedError as reason:
+        comparison.notice = f"{reason}; results.json is complete"
+
+
+def results(comparison: Comparison) -> dict:
+    """The content of results.json."""
+    return {
+        "scene": comparison.scene.name,
+        "description": comparison.scene.description,
+        "wall": comparison.wall,
+        "runs": [run_entry(run) for run in comparison.runs],
+        "limits": {m: {q: asdict(e) for q, e in of.items()} for m, of in comparison.limits.items()},
+        "differences": [asdict(each) for each in comparison.differences],
+        "profiles": [asdict(each) for each in comparison.profiles],
+        "references": [asdict(each) for each in comparison.references],
+        "versions": versions(),
+        "processor": processor(),
+    }
+
+
+def _own(scene: Scene, method: str) -> tuple[int, ...]:
+    find_method(method)
+    return resolutions_of(scene, method)
+
+
+def _one(
+    scene: Scene, method: str, resolution: int, wall: str, threads: int, folder: OutputFolder | None, progress: bool
+) -> RunResult:
+    options = {"wall": wall, "threads": threads, "progress": progress}
+    if folder is None:
+        return simulate(scene, method, resolution, **options)
+    with folder.subfolder(f"{method}-{resolution}") as own:
+        return simulate(scene, method, resolution, folder=own, **options)

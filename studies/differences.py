@@ -1,0 +1,91 @@
+"""How far two methods are apart in one quantity, and whether their extrapolated values agree."""
+
+from dataclasses import dataclass
+from math import hypot
+
+from studies.convergence import Estimate
+from studies.display import plus_minus, shown, shown_name, shown_unit, with_unit
+from studies.methods import METHODS
+from studies.run_result import RunResult
+
+
+@dataclass(frozen=True)
+class Difference:
+    """Second minus first, of the finest runs and of the limits; relative to the first.
+
+    uncertainty: of the difference of the limits; agree: whether that difference lies within it (None: no
+    statement is possible); verdict: the same as a sentence.
+    """
+
+    quantity: str
+    unit: str
+    first: str
+    second: str
+    finest: float
+    finest_relative: float | None
+    limit: float
+    limit_relative: float | None
+    uncertainty: float | None
+    agree: bool | None
+    verdict: str
+
+
+def difference(name: str, first: RunResult, second: RunResult, limits: dict[str, dict[str, Estimate]]) -> Difference:
+    """Compare one quantity of two finest runs and of the limits of their methods."""
+    unit = first.quantities[name].unit
+    values = first.quantities[name].value, second.quantities[name].value
+    estimates = limits[first.method][name], limits[second.method][name]
+    gap = estimates[1].value - estimates[0].value
+    uncertainty = _combined(*estimates)
+    agree = None if uncertainty is None else abs(gap) <= uncertainty
+    return Difference(
+        quantity=name,
+        unit=unit,
+        first=first.label,
+        second=second.label,
+        finest=values[1] - values[0],
+        finest_relative=_relative(values[1] - values[0], values[0]),
+        limit=gap,
+        limit_relative=_relative(gap, estimates[0].value),
+        uncertainty=uncertainty,
+        agree=agree,
+        verdict=_sentence(name, unit, (first, second), estimates, uncertainty, agree),
+    )
+
+
+def _combined(first: Estimate, second: Estimate) -> float | None:
+    if first.uncertainty is None or second.uncertainty is None:
+        return None
+    return hypot(first.uncertainty, second.uncertainty)
+
+
+def _relative(gap: float, base: float) -> float | None:
+    return gap / abs(base) if base else None
+
+
+def _sentence(
+    name: str,
+    unit: str,
+    runs: tuple[RunResult, RunResult],
+    estimates: tuple[Estimate, Estimate],
+    uncertainty: float | None,
+    agree: bool | None,
+) -> str:
+    told = [_told(run, estimate, unit) for run, estimate in zip(runs, estimates, strict=True)]
+    gap = estimates[1].value - estimates[0].value
+    by = with_unit(abs(gap), unit, 3)
+    relative = _relative(abs(gap), estimates[0].value)
+    if relative is not None:
+        by += f", {100.0 * relative:.2g} %"
+    subject = f"{shown_name(name).capitalize()}: {told[0]} and {told[1]}"
+    if agree is None:
+        return f"{subject} differ by {by}; their errors cannot be estimated from one resolution."
+    if agree:
+        return f"{subject} agree within their uncertainty (apart by {by})."
+    return f"{subject} differ by {by}, more than their uncertainty ({with_unit(uncertainty, unit, 2)})."
+
+
+def _told(run: RunResult, estimate: Estimate, unit: str) -> str:
+    spread = plus_minus(estimate.uncertainty, unit)
+    number = " ".join(part for part in (shown(estimate.value, unit), spread, shown_unit(unit)) if part)
+    return f"{METHODS[run.method].label} {number}"

@@ -1,0 +1,49 @@
+"""How numbers are shown to people: names, convenient units, digits."""
+
+SHOWN_UNITS = {
+    "m": (1e3, "mm"),
+    "m^2": (1e6, "mm²"),
+    "m^3": (1e9, "mm³"),
+    "s": (1e6, "µs"),
+    "K": (1.0, "K"),
+    "1": (1.0, ""),
+}
+ABSENT = "–"
+
+
+def shown_name(quantity: str) -> str:
+    """A quantity's name as words: final_length -> final length."""
+    return quantity.replace("_", " ").replace(" L0", " L₀")
+
+
+def shown_unit(unit: str) -> str:
+    """The convenient unit's name: m -> mm."""
+    return SHOWN_UNITS[unit][1]
+
+
+def shown(value: float | None, unit: str, digits: int = 5) -> str:
+    """The value in its convenient unit, to so many significant digits; a dash for none."""
+    return ABSENT if value is None else number(value * SHOWN_UNITS[unit][0], digits)
+
+
+def shown_percent(relative: float | None) -> str:
+    """A signed percentage with two decimals; a dash for none."""
+    return ABSENT if relative is None else f"{100.0 * relative:+.2f} %"
+
+
+def with_unit(value: float | None, unit: str, digits: int = 5) -> str:
+    """The value and its unit."""
+    return f"{shown(value, unit, digits)} {shown_unit(unit)}".rstrip()
+
+
+def number(value: float, digits: int = 4) -> str:
+    """So many significant digits, trailing zeros kept, exponents only for the extreme."""
+    if value == 0.0:
+        return "0"
+    text = f"{value:#.{digits}g}"
+    return text.rstrip(".") if "e" not in text else f"{value:.{max(digits - 2, 1)}e}"
+
+
+def plus_minus(uncertainty: float | None, unit: str) -> str:
+    """'± 0.012', two digits; empty for none."""
+    return "" if uncertainty is None else f"± {shown(uncertainty, unit, 2)}"

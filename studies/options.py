@@ -1,0 +1,81 @@
+"""Options that several commands share, and a parser whose errors are one line with the nearest valid name."""
+
+import argparse
+from typing import NoReturn
+
+from core_models.errors import SceneError
+from studies.names import nearest
+
+
+class Parser(argparse.ArgumentParser):
+    """Full option names only; raises SceneError where argparse would print its usage and exit."""
+
+    def __init__(self, **settings) -> None:
+        super().__init__(allow_abbrev=False, **settings)
+
+    @property
+    def option_names(self) -> list[str]:
+        """All options, as typed."""
+        return [name for action in self._actions for name in action.option_strings]
+
+    def parse(self, arguments: list[str]) -> argparse.Namespace:
+        """Parse, refusing unknown options by name."""
+        namespace, unknown = self.parse_known_args(arguments)
+        if unknown:
+            raise SceneError(f"unknown option '{unknown[0]}'; {nearest(unknown[0], namespace.known_options)}")
+        return namespace
+
+    def error(self, message: str) -> NoReturn:
+        """One line, as a SceneError."""
+        raise SceneError(f"{message} (see {self.prog} --help)")
+
+
+def whole_numbers(text: str) -> tuple[int, ...]:
+    """Whole numbers separated by commas."""
+    words = text.split(",")
+    if not all(word.isascii() and word.isdigit() for word in words):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a list of whole numbers like 8,12,16")
+    return tuple(int(word) for word in words)
+
+
+def positive(text: str) -> int:
+    """A whole number of at least 1."""
+    if not (text.isascii() and text.isdigit() and int(text) > 0):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number of 1 or more")
+    return int(text)
+
+
+def names(text: str) -> tuple[str, ...]:
+    """Names separated by commas."""
+    return tuple(word.strip() for word in text.split(","))
+
+
+def add_scene_options(parser: argparse.ArgumentParser) -> None:
+    """The scene and where its includes and laws are found."""
+    parser.add_argument("scene", metavar="SCENE", help="a shipped scene's name (matpoint scenes) or an XML file")
+    parser.add_argument(
+        "--search-root", metavar="DIR", action="append", default=[], help="folder in which includes are looked for"
+    )
+    parser.add_argument("--laws", metavar="FILE", help="Python file with laws of your own")
+
+
+def add_method_options(parser: argparse.ArgumentParser) -> None:
+    """Method, resolution, wall, threads, output."""
+    parser.add_argument(
+        "--method", "--methods", dest="methods", metavar="A[,B]", type=names, help="fem-explicit, mpm"
+    )
+    parser.add_argument(
+        "--resolution", metavar="N[,N...]", type=whole_numbers, help="elements or cells across the radius"
+    )
+    parser.add_argument("--wall", metavar="NAME", help="unilateral or plane (default: the scene's)")
+    parser.add_argument("--threads", metavar="K", type=positive, default=1, help="threads (default: 1)")
+    parser.add_argument(
+        "--out", metavar="DIR", help="new or empty folder for the results (default: results/SCENE-DATE-TIME)"
+    )
+
+
+def asked_scene(options: argparse.Namespace):
+    """The scene that the options name."""
+    from studies.scene_reader import read_scene
+
+    return read_scene(options.scene, options.search_root, options.laws)

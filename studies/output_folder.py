@@ -1,0 +1,89 @@
+"""A run's folder: claimed by one process, written file by file, never half a file."""
+
+import fcntl
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+from core_models.errors import OutputError
+
+LOCK = ".lock"
+
+
+class OutputFolder:
+    """An empty or new folder that belongs to this process until released.
+
+    Claiming raises OutputError, before anything is written, when the folder holds files or another live
+    process has it. Every file goes to a temporary name in the same folder, is flushed to disk, then renamed.
+    """
+
+    def __init__(self, path: Path | str) -> None:
+        self.path = Path(path)
+        check_unused(self.path)
+        try:
+            self.path.mkdir(parents=True, exist_ok=True)
+            self._lock = open(self.path / LOCK, "a")  # noqa: SIM115 - held open as long as the folder is ours
+        except OSError as error:
+            raise OutputError(f"{self.path}: cannot write here ({error.strerror}); choose another with --out") from error
+        self._claim()
+
+    def _claim(self) -> None:
+        try:
+            fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            check_unused(self.path)
+        except OSError as error:
+            self._lock.close()
+            raise _in_use(self.path, "another run is writing to it") from error
+
+    def write_text(self, name: str, text: str) -> Path:
+        """Write one text file, atomically."""
+        return self.write(name, lambda path: path.write_text(text, encoding="utf-8"))
+
+    def write(self, name: str, writer: Callable[[Path], object]) -> Path:
+        """Let `writer` write one file at the temporary path it is given, then put it in place, atomically."""
+        target = self.path / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        temporary = target.with_name(f".part-{target.name}")
+        writer(temporary)
+        _flush(temporary)
+        os.replace(temporary, target)
+        _flush(target.parent)
+        return target
+
+    def subfolder(self, name: str) -> "OutputFolder":
+        """A folder of its own for one of several runs."""
+        return OutputFolder(self.path / name)
+
+    def release(self) -> None:
+        """Give the folder up: remove the lock; an empty folder is removed as well."""
+        (self.path / LOCK).unlink(missing_ok=True)
+        self._lock.close()
+        if not any(self.path.iterdir()):
+            self.path.rmdir()
+
+    def __enter__(self) -> "OutputFolder":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.release()
+
+
+def check_unused(path: Path | str) -> None:
+    """Refuse a folder that holds anything but an abandoned lock; writes nothing. Raises OutputError."""
+    path = Path(path)
+    if path.exists() and not path.is_dir():
+        raise OutputError(f"{path}: is a file, not a folder; choose another with --out")
+    if path.is_dir() and any(entry.name != LOCK for entry in path.iterdir()):
+        raise _in_use(path, "it is not empty")
+
+
+def _in_use(path: Path, why: str) -> OutputError:
+    return OutputError(f"{path}: output folder in use ({why}); choose another with --out, or remove it")
+
+
+def _flush(path: Path) -> None:
+    descriptor = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)

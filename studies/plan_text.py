@@ -1,0 +1,73 @@
+"""What a scene would simulate, in words and numbers."""
+
+from math import ceil, sqrt
+
+from studies.display import number
+from studies.effects import scene_effects
+from studies.methods import METHODS, build_mesh, check_resolution, find_method, resolutions_of
+from studies.scene import Scene, check_wall
+from studies.text_table import aligned
+
+CRUSHED = {"fem-explicit": 6.0, "mpm": 1.2}  # elements are crushed and get stiffer and thinner; a grid is not
+COURANT = {"fem-explicit": 0.9, "mpm": 0.5}
+
+
+def plan_text(
+    scene: Scene, methods: tuple[str, ...] | None, resolutions: tuple[int, ...] | None, wall: str | None
+) -> str:
+    """Scene, material, effects and, per run, mesh and estimated steps."""
+    wall = check_wall(wall or scene.wall)
+    bar = scene.bar
+    parts = [
+        f"{scene.name}: {scene.description}",
+        f"bar      L0 {bar.length * 1e3:g} mm, R0 {bar.radius * 1e3:g} mm, {-bar.velocity:g} m/s, {bar.temperature:g} K\n"
+        f"wall     {wall}\n"
+        f"end      {_end(scene, wall)}\n"
+        f"material {scene.material.name}: {', '.join(map(_law, (scene.material.update, *scene.material.laws)))}",
+        aligned(_effect_rows(scene, wall)),
+        aligned(_run_rows(scene, methods or tuple(METHODS), resolutions, wall)),
+    ]
+    if scene.unused:
+        parts.append("tags that do nothing:\n" + "\n".join(f"  {tag}" for tag in scene.unused))
+    return "\n\n".join(parts)
+
+
+def _law(law: tuple) -> str:
+    values = ", ".join(f"{name} {value:.6g}" for name, value in law._asdict().items())
+    return f"{type(law).__name__}({values})"
+
+
+def _end(scene: Scene, wall: str) -> str:
+    limit = f"{scene.end.limit(wall) * 1e6:g} us"
+    if scene.end.after_release(wall):
+        return f"{scene.axial_period * 1e6:.4g} us after the bar has left the wall, at {limit} at the latest"
+    return limit
+
+
+def _effect_rows(scene: Scene, wall: str) -> list[list[str]]:
+    effects = scene_effects(scene, wall)
+    width = max(len(effect.reason) for effect in effects)
+    return [[e.name, "on " if e.on else "off", e.reason.ljust(width)] for e in effects]
+
+
+def _run_rows(scene: Scene, methods: tuple[str, ...], resolutions: tuple[int, ...] | None, wall: str) -> list[list[str]]:
+    rows = [["run", "points", "smallest edge mm", "steps, about"]]
+    for method in methods:
+        find_method(method)
+        for resolution in resolutions or resolutions_of(scene, method):
+            mesh = build_mesh(scene, check_resolution(resolution))
+            edge = scene.bar.radius / resolution if method == "mpm" else _smallest_edge(mesh)
+            steps = CRUSHED[method] * scene.end.limit(wall) * _wave_speed(scene) / (COURANT[method] * edge)
+            rows.append([f"{method} {resolution}", str(4 * len(mesh.quads)), number(edge * 1e3, 3), str(ceil(steps))])
+    return rows
+
+
+def _smallest_edge(mesh) -> float:
+    corners = mesh.points[mesh.quads]
+    edges = corners - corners[:, [1, 2, 3, 0]]
+    return float(sqrt((edges**2).sum(axis=2).min()))
+
+
+def _wave_speed(scene: Scene) -> float:
+    elastic = scene.material.elasticity
+    return sqrt((elastic.bulk_modulus + 4.0 / 3.0 * elastic.shear_modulus) / scene.material.density)

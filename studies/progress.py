@@ -1,0 +1,53 @@
+"""Observer: a progress bar with the time left, when the output is a terminal."""
+
+import sys
+import time
+from typing import TextIO
+
+from studies.ending import Ending
+from studies.observer import Observer
+
+WIDTH = 30
+REFRESH = 0.2  # s
+
+
+class Progress(Observer):
+    """One line on stderr, rewritten a few times a second and wiped at the end."""
+
+    def __init__(self, label: str, ending: Ending, stream: TextIO | None = None) -> None:
+        self._label, self._ending = label, ending
+        self._stream = stream or sys.stderr
+        self._shown = 0.0
+
+    def start(self, solver) -> None:
+        """Start the clock and show that compilation may be under way."""
+        self._began = time.monotonic()
+        self._show(f"{self._label}  starting ...")
+
+    def step(self, solver) -> None:
+        """Redraw when the last drawing is old enough."""
+        now = time.monotonic()
+        if now - self._shown < REFRESH:
+            return
+        self._shown = now
+        share = min(solver.time / self._ending.expected(solver), 1.0)
+        left = (now - self._began) * (1.0 - share) / share
+        bar = "#" * int(WIDTH * share)
+        self._show(f"{self._label}  [{bar:<{WIDTH}}] {share:4.0%}  {solver.time * 1e6:7.2f} us  {clock(left)} left")
+
+    def finish(self, solver) -> None:
+        """Wipe the line."""
+        self.abandon()
+
+    def abandon(self) -> None:
+        """Wipe the line."""
+        self._show("")
+
+    def _show(self, text: str) -> None:
+        self._stream.write(f"\r\x1b[K{text}")
+        self._stream.flush()
+
+
+def clock(seconds: float) -> str:
+    """Minutes and seconds, as 3:07."""
+    return f"{int(seconds) // 60}:{int(seconds) % 60:02d}"

@@ -1,0 +1,76 @@
+"""Figures as inline SVG whose colours and fonts are the page's, so that they follow light, dark and print.
+
+Figures are drawn with marker colours (INK, ...), which are replaced by the page's CSS variables afterwards.
+"""
+
+import io
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from core_models.errors import UnsupportedError
+
+INK, FAINT, GRID = "#010101", "#020202", "#030303"
+METHOD_COLOURS = {"fem-explicit": "#040404", "mpm": "#050505"}
+VARIABLES = {
+    INK: "--ink",
+    FAINT: "--faint",
+    GRID: "--grid",
+    METHOD_COLOURS["fem-explicit"]: "--fem",
+    METHOD_COLOURS["mpm"]: "--mpm",
+}
+STYLE = {
+    "svg.fonttype": "none",
+    "font.size": 10,
+    "text.color": INK,
+    "axes.labelcolor": INK,
+    "axes.edgecolor": FAINT,
+    "axes.linewidth": 0.7,
+    "axes.grid": True,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.titlesize": 10.5,
+    "axes.titleweight": "bold",
+    "axes.titlelocation": "left",
+    "grid.color": GRID,
+    "grid.linewidth": 0.6,
+    "xtick.color": FAINT,
+    "ytick.color": FAINT,
+    "xtick.labelcolor": INK,
+    "ytick.labelcolor": INK,
+    "legend.frameon": False,
+    "legend.fontsize": 9,
+    "lines.linewidth": 1.6,
+    "savefig.transparent": True,
+}
+
+
+@contextmanager
+def drawing(width: float, height: float, rows: int = 1, columns: int = 1, **layout) -> Iterator[tuple]:
+    """A figure of that many axes [inches] in the report's style; raises UnsupportedError without matplotlib."""
+    try:
+        import matplotlib
+        from matplotlib.figure import Figure
+    except ImportError as error:
+        raise UnsupportedError("report.html needs matplotlib: pip install 'matpoint[report]'") from error
+    with matplotlib.rc_context(STYLE):
+        figure = Figure(figsize=(width, height), layout="constrained")
+        yield figure, figure.subplots(rows, columns, squeeze=False, **layout)
+
+
+def as_svg(figure, name: str, alternative: str) -> str:
+    """The figure as an SVG element for a page; `name` keeps its inner ids apart from other figures'."""
+    import matplotlib
+
+    buffer = io.StringIO()
+    with matplotlib.rc_context({"svg.hashsalt": name, "svg.fonttype": "none"}):
+        figure.savefig(buffer, format="svg", dpi=200, metadata={"Date": None, "Creator": None})
+    svg = buffer.getvalue()
+    svg = svg[svg.index("<svg") :]
+    svg = re.sub(r"<metadata>.*?</metadata>", "", svg, flags=re.S)
+    for colour, variable in VARIABLES.items():
+        svg = svg.replace(colour, f"var({variable})")
+    svg = re.sub(r'id="(figure|axes|patch|text|line2d|matplotlib\.axis|xtick|ytick)_\d+"', "", svg)
+    size = re.search(r'width="[\d.]+pt" height="[\d.]+pt" ', svg)
+    svg = svg.replace(size.group(), "", 1) if size else svg
+    return svg.replace("<svg ", f'<svg role="img" aria-label="{alternative}" ', 1)

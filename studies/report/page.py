@@ -1,0 +1,133 @@
+"""The report as one self-contained HTML page."""
+
+from html import escape
+from importlib.resources import files
+
+from studies.comparison import Comparison
+from studies.effects import WALL_MEANING
+from studies.methods import METHODS
+from studies.quantity_names import LEADING
+from studies.report.convergence_plots import convergence_plots
+from studies.report.field_pictures import field_pictures
+from studies.report.history_plots import energy_plots, history_plots
+from studies.report.markup import figure, items, section
+from studies.report.page_tables import (
+    cost_table,
+    effects_table,
+    ledger_table,
+    quantities_table,
+    references_table,
+)
+from studies.report.profile_plots import profile_plot
+from studies.versions import processor, versions
+
+
+def report_page(comparison: Comparison) -> str:
+    """The page; raises UnsupportedError when matplotlib is missing."""
+    style = files("studies.report").joinpath("style.css").read_text(encoding="utf-8")
+    title = escape(f"{comparison.scene.name}, wall {comparison.wall}")
+    body = "".join([_head(comparison), _failures(comparison), *_results(comparison), *_accounts(comparison)])
+    return (
+        '<!doctype html><html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<title>{title}</title><style>{style}</style></head><body>{body}{_foot(comparison)}</body></html>\n"
+    )
+
+
+def _head(comparison: Comparison) -> str:
+    scene, bar = comparison.scene, comparison.scene.bar
+    facts = [
+        f"wall: {comparison.wall}",
+        f"L₀ {bar.length * 1e3:g} mm",
+        f"R₀ {bar.radius * 1e3:g} mm",
+        f"{-bar.velocity:g} m/s",
+        f"{bar.temperature:g} K",
+        f"{type(scene.material.update).__name__}",
+        *(type(law).__name__ for law in (scene.material.flow, scene.material.eos) if law is not None),
+    ]
+    return (
+        f'<header><h1>{escape(scene.name)}</h1><p class="lead">{escape(scene.description)}</p>'
+        + items("facts", [("", fact) for fact in facts])
+        + "</header>"
+    )
+
+
+def _failures(comparison: Comparison) -> str:
+    told = "".join(f"<p><b>{escape(run.label)}</b>: {escape(str(run.failure))}</p>" for run in comparison.failed)
+    return f'<div class="warning"><b>Runs that went wrong</b>{told}</div>' if told else ""
+
+
+def _results(comparison: Comparison) -> list[str]:
+    if not comparison.finest:
+        return []
+    wall = f"Wall {comparison.wall}: {WALL_MEANING[comparison.wall]}."
+    pictures = "".join(f"<figure>{picture}</figure>" for picture in field_pictures(comparison))
+    return [
+        section("In short", _verdicts(comparison)),
+        section("Final shapes", f'<div class="pair">{pictures}</div>', f'<p class="note">{escape(_ends(comparison))}</p>'),
+        section(
+            "Profiles",
+            figure(profile_plot(comparison), f"Edges of the deformed domains; coarser runs thin. {wall}"),
+        ),
+        section("Quantities", quantities_table(comparison), f'<p class="note">{escape(_limits_note())}</p>'),
+        section("Against values from elsewhere", references_table(comparison)),
+        section(
+            "Convergence",
+            figure(
+                convergence_plots(comparison),
+                "N: elements or cells across the radius. Diamonds: limits with their uncertainty; "
+                f"grey: values from elsewhere. {wall}",
+            ),
+        ),
+        section("Histories", figure(history_plots(comparison), wall)),
+    ]
+
+
+def _accounts(comparison: Comparison) -> list[str]:
+    energies = energy_plots(comparison) if comparison.finest else ""
+    ledger = "Each dissipative term is integrated from its own power, none is the remainder."
+    cost = (
+        "Total counts everything: mesh, compilation, steps, output; compilation is zero once the compiled kernels "
+        "are on disk. ns per point and step: stepping without compilation and output."
+    )
+    return [
+        section("Energy", figure(energies, ledger) if energies else "", ledger_table(comparison)),
+        section("Cost", cost_table(comparison), f'<p class="note">{cost}</p>'),
+        section("What was simulated, and what was not", effects_table(comparison)),
+    ]
+
+
+def _verdicts(comparison: Comparison) -> str:
+    kinds = {True: "agree", False: "apart", None: ""}
+    entries = [(kinds[each.agree], each.verdict) for each in comparison.differences if each.quantity in LEADING]
+    entries += [
+        (
+            "",
+            f"Profiles: {gap.first} and {gap.second} lie {gap.rms * 1e3:.3g} mm apart (root mean square), "
+            f"{100.0 * gap.relative:.2g} % of L₀.",
+        )
+        for gap in comparison.profiles
+    ]
+    return items("verdicts", entries) if entries else ""
+
+
+def _ends(comparison: Comparison) -> str:
+    return "; ".join(f"{METHODS[run.method].label} {run.resolution} ended at {run.ended}" for run in comparison.finest)
+
+
+def _limits_note() -> str:
+    return (
+        "Limit: extrapolated to infinite resolution by least squares, f = f₀ + a hᵖ, with its uncertainty. "
+        "Heights count from the lowest point of the foot."
+    )
+
+
+def _foot(comparison: Comparison) -> str:
+    made = ", ".join(f"{name} {version}" for name, version in versions().items())
+    threads = sorted({run.threads for run in comparison.runs})
+    unused = "; ".join(comparison.scene.unused)
+    ignored = f"<p>Tags of the card that do nothing: {escape(unused)}</p>" if unused else ""
+    return (
+        f"<footer>{ignored}<p>{escape(made)}</p><p>{escape(processor())}; threads: "
+        f"{', '.join(map(str, threads))}. Numbers in full: results.json beside this page.</p></footer>"
+    )

@@ -1,0 +1,129 @@
+"""One run: a scene by one method at one resolution, with its folder."""
+
+import time
+from pathlib import Path
+
+from core_models.errors import RunFailure
+from studies.contact_watch import ContactWatch
+from studies.costs import Cost, measured
+from studies.ending import Ending
+from studies.frames import Frames, cell_data
+from studies.history import ENERGIES, History
+from studies.methods import build_solver, resolutions_of
+from studies.observer import Observer
+from studies.output_folder import OutputFolder
+from studies.progress import Progress
+from studies.run_record import run_record, to_json
+from studies.run_result import FinalState, RunResult
+from studies.scene import Scene, check_wall
+from studies.scene_writer import write_scene
+from studies.taylor_impact import measure
+
+
+def run(
+    scene: Scene,
+    method: str,
+    resolution: int | None = None,
+    *,
+    wall: str | None = None,
+    threads: int = 1,
+    out: Path | str | None = None,
+    progress: bool = False,
+) -> RunResult:
+    """Run a scene and return what came of it.
+
+    resolution: elements or cells across the radius (default: the scene's finest); wall: 'unilateral' or
+    'plane' (default: the scene's); out: folder to keep the run in (default: nothing is written).
+    Raises SceneError, MeshError, OutputError before anything is written; RunFailure when the run goes wrong,
+    and then the folder keeps what had been written.
+    """
+    resolution = resolution or resolutions_of(scene, method)[-1]
+    options = {"wall": wall, "threads": threads, "progress": progress}
+    if out is None:
+        result = simulate(scene, method, resolution, **options)
+    else:
+        with OutputFolder(out) as folder:
+            result = simulate(scene, method, resolution, folder=folder, **options)
+    if result.failure is not None:
+        raise result.failure
+    return result
+
+
+def simulate(
+    scene: Scene,
+    method: str,
+    resolution: int,
+    *,
+    wall: str | None = None,
+    threads: int = 1,
+    folder: OutputFolder | None = None,
+    progress: bool = False,
+) -> RunResult:
+    """Like `run`, into a folder that is already ours; a run that goes wrong is recorded, not raised."""
+    wall = check_wall(wall or scene.wall)
+    with measured() as cost:
+        began = time.perf_counter()
+        solver = build_solver(scene, method, resolution, wall, threads)
+        cost.setup_s = time.perf_counter() - began
+        contact, history = ContactWatch(), History(folder, scene.end.limit(wall))
+        ending = Ending(scene, wall, contact)
+        observers: list[Observer] = [contact, history]
+        if folder is not None:
+            write_scene(scene, wall, folder)
+            observers.append(Frames(folder, scene.end.limit(wall)))
+        if progress:
+            observers.append(Progress(f"{method} {resolution}", ending))
+        result = RunResult(scene, method, resolution, wall, threads, history, cost)
+        result.failure = _advance(solver, ending, observers, cost)
+    _conclude(result, solver, ending, contact)
+    if folder is not None:
+        folder.write_text("run.json", to_json(run_record(result)))
+    return result
+
+
+def _advance(solver, ending: Ending, observers: list[Observer], cost: Cost) -> RunFailure | None:
+    """Step to the end, observed; returns the failure that stopped it, if one did."""
+    began = time.perf_counter()
+    finished = False
+    try:
+        for observer in observers:
+            observer.start(solver)
+        while not ending.reached(solver):
+            solver.advance()
+            observing = time.perf_counter()
+            for observer in observers:
+                observer.step(solver)
+            cost.output_s += time.perf_counter() - observing
+        for observer in observers:
+            observer.finish(solver)
+        finished = True
+    except RunFailure as failure:
+        return failure
+    finally:
+        cost.stepping_s = time.perf_counter() - began - cost.output_s
+        if not finished:
+            for observer in observers:
+                observer.abandon()
+    return None
+
+
+def _conclude(result: RunResult, solver, ending: Ending, contact: ContactWatch) -> None:
+    result.cost.steps, result.cost.point_updates = solver.step_count, solver.point_updates
+    result.points = solver.points.n
+    result.energies = {name: float(getattr(solver.ledger, name)) for name in (*ENERGIES, "initial")}
+    if result.failure is not None:
+        return
+    result.ended = ending.reason(solver)
+    result.quantities = measure(solver, result.scene, result.wall, result.history, contact)
+    result.conservation = _conservation(solver, result.history)
+    result.final = FinalState(solver.domains(), cell_data(solver), solver.outline())
+
+
+def _conservation(solver, history: History) -> dict[str, float]:
+    """Relative errors: mass against the start's, momentum against the wall's impulse, energy by the ledger."""
+    expected = solver.initial_momentum + solver.wall_impulse
+    return {
+        "mass": float(abs(solver.mass - solver.initial_mass) / solver.initial_mass),
+        "momentum": float(abs(solver.momentum - expected) / abs(solver.initial_momentum)),
+        "energy": float(solver.ledger.relative_error),
+    }

@@ -1,0 +1,173 @@
+"""A Material goes out and comes back equal."""
+
+import os
+from typing import NamedTuple
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from core_models.cards import (
+    material_element,
+    parse_material,
+    read_material,
+    shipped_materials,
+    write_atomically,
+    write_material,
+)
+from core_models.elasticity.isotropic import IsotropicElastic
+from core_models.eos.mie_gruneisen import MieGruneisen
+from core_models.eos.neo_hookean import NeoHookean
+from core_models.errors import MaterialError, OutputError
+from core_models.flow.johnson_cook import JohnsonCook
+from core_models.flow.linear import LinearHardening
+from core_models.material import Material
+from core_models.schema import SLOTS
+from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
+from core_models.yield_condition.von_mises import VonMises
+
+
+def steel(**changes):
+    fields = {
+        "name": "steel",
+        "density": 7830.0,
+        "update": HyperelasticPlastic(),
+        "elasticity": IsotropicElastic(164e9, 80e9),
+        "eos": NeoHookean(164e9),
+        "flow": LinearHardening(0.45e9, 0.13e9),
+        "yield_condition": VonMises(),
+    }
+    return Material(**fields | changes)
+
+
+@pytest.mark.parametrize("name", shipped_materials())
+def test_shipped_material_comes_back_equal(name, tmp_path):
+    """Every shipped card is written to a card that needs no other file and reads back equal."""
+    material = read_material(shipped_materials()[name]).material
+    write_material(material, tmp_path / "other.xml")
+    assert read_material(tmp_path / "other.xml").material == material
+    assert "include" not in (tmp_path / "other.xml").read_text()
+
+
+def numbers(interval):
+    low = max(interval.low, -1e12)
+    high = min(interval.high, 1e12)
+    return st.floats(
+        low, high, exclude_min=interval.low_open, exclude_max=interval.high_open, allow_subnormal=False
+    )
+
+
+def laws(slot, *absent):
+    return st.one_of(
+        *(st.none() for _ in absent),
+        *(
+            st.builds(model.law, **{p.field: numbers(p.range) for p in model.parameters})
+            for model in next(s for s in SLOTS if s.slot == slot).models
+        ),
+    )
+
+
+@st.composite
+def fields(draw):
+    flow = draw(laws("flow", None))
+    return {
+        "name": draw(
+            st.text(st.characters(codec="utf-8", exclude_categories=["Cc", "Cs"]), min_size=1, max_size=8)
+        ),
+        "density": draw(numbers(SLOTS[1].models[2].parameters[0].range)),
+        "update": draw(laws("update")),
+        "elasticity": IsotropicElastic(draw(st.floats(1.0, 1e12)), draw(st.floats(1.0, 1e12))),
+        "eos": draw(laws("eos")),
+        "flow": flow,
+        "yield_condition": None if flow is None else VonMises(),
+        "damage": draw(laws("damage", None)),
+        "erosion": draw(laws("erosion", None)),
+        "heating": draw(laws("heating", None)),
+        "room_temperature": draw(st.floats(0.0, 1e3)),
+        "thermal_conductivity": draw(st.none() | st.floats(0.0, 1e3)),
+    }
+
+
+@settings(max_examples=300, deadline=None)
+@given(fields())
+def test_any_material_comes_back_equal(given_fields):
+    """Whatever laws and numbers a Material accepts, the card gives them back exactly, or says that it cannot."""
+    try:
+        material = Material(**given_fields)
+    except MaterialError:
+        return
+    try:
+        element = material_element(material)
+    except MaterialError as error:
+        assert "cannot be written" in str(error)
+        return
+    assert parse_material(element).material == material
+
+
+@pytest.mark.parametrize("heating", [True, False])
+def test_heating_that_was_switched_off_stays_off(heating):
+    """An effect left out in Python is not brought back by the card's defaults."""
+    copper = read_material(shipped_materials()["copper_ofhc_johnson_cook"]).material
+    fields = {f: getattr(copper, f) for f in copper.__dataclass_fields__}
+    material = Material(**fields | {"heating": copper.heating if heating else None})
+    assert parse_material(material_element(material)).material == material
+
+
+def test_own_temperatures_of_a_law_survive():
+    """T_r and T_m that differ from the card's are stated in the law's block."""
+    material = steel(
+        flow=JohnsonCook(792e6, 510e6, 0.014, 0.26, 1.03, 1.0, 298.0, 1793.0),
+        eos=MieGruneisen(7830.0, 3574.0, 1.69, 1.92),
+        elasticity=IsotropicElastic(100.1e9, 80e9),
+    )
+    assert parse_material(material_element(material)).material == material
+
+
+def test_elastic_material_survives():
+    """A material without flow is written as such."""
+    material = steel(flow=None, yield_condition=None)
+    assert parse_material(material_element(material)).material == material
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [{"name": "a\0b"}, {"name": ""}, {"density": float("inf")}, {"flow": LinearHardening(0.45e9, -1.0)}],
+)
+def test_material_that_no_card_can_say_is_refused_and_nothing_is_written(changes, tmp_path):
+    """What could not be read back is never written."""
+    with pytest.raises(MaterialError, match="cannot be written as a card"):
+        write_material(steel(**changes), tmp_path / "card.xml")
+    assert os.listdir(tmp_path) == []
+
+
+class Unheard(NamedTuple):
+    yield_stress: float
+
+
+def test_law_without_a_schema_is_named():
+    """A user's own law has no tag in the cards, and the error says so."""
+    material = steel()
+    object.__setattr__(material, "flow", Unheard(1e8))
+    with pytest.raises(MaterialError, match="Unheard has no card schema"):
+        material_element(material)
+
+
+def test_writing_is_all_or_nothing(tmp_path, monkeypatch):
+    """A failed write leaves the old file as it was and no other file beside it."""
+    path = tmp_path / "card.xml"
+    write_atomically(path, b"old")
+
+    def broken(*_):
+        raise OSError("disk full")
+
+    monkeypatch.setattr(os, "fsync", broken)
+    with pytest.raises(OutputError, match="disk full"):
+        write_material(steel(), path)
+    assert path.read_bytes() == b"old"
+    assert os.listdir(tmp_path) == ["card.xml"]
+
+
+def test_missing_folder_is_an_output_error(tmp_path):
+    """A folder that is not there is named, with the remedy."""
+    with pytest.raises(OutputError, match="writable folder"):
+        write_material(steel(), tmp_path / "nowhere" / "card.xml")

@@ -1,0 +1,80 @@
+"""A solver that only pretends: a block of two points that shortens, widens, stops and bounces off."""
+
+from types import SimpleNamespace
+
+import numpy as np
+
+from core_models.errors import RunFailure
+from core_models.points import Field
+
+LENGTH, RADIUS, SPEED, DURATION = 32.4e-3, 3.2e-3, 227.0, 60e-6
+
+
+class FakeSolver:
+    """Uniform shortening until DURATION, then free flight upwards; `error` sets its distance from the limit."""
+
+    initial_momentum, initial_mass, mass, threads, time_step = -2.0, 0.009, 0.009, 1, 1e-6
+
+    def __init__(self, error: float = 0.0, wall: str = "unilateral", fails_at: float = np.inf) -> None:
+        self.time, self.step_count, self.point_updates = 0.0, 0, 0
+        self._error, self._wall, self._fails_at = error, wall, fails_at
+        self.points = SimpleNamespace(n=2, fields=self._fields)
+
+    @property
+    def progress(self) -> float:
+        return min(self.time / DURATION, 1.0)
+
+    @property
+    def in_contact(self) -> bool:
+        return self._wall == "plane" or 0.0 < self.time <= DURATION
+
+    @property
+    def momentum(self) -> float:
+        return -2.0 + 2.5 * self.progress
+
+    @property
+    def wall_impulse(self) -> float:
+        return self.momentum + 2.0
+
+    @property
+    def wall_force(self) -> float:
+        return 2.5 / DURATION if self.in_contact else 0.0
+
+    @property
+    def ledger(self) -> SimpleNamespace:
+        plastic = 200.0 * self.progress
+        parts = {"strain": 1.0, "viscosity": 2.0, "transfer": 0.0, "contact": 0.0}
+        return SimpleNamespace(kinetic=237.0 - plastic, plastic=plastic, **parts, initial=240.0, relative_error=1e-3)
+
+    def advance(self) -> None:
+        self.time += self.time_step
+        self.step_count += 1
+        self.point_updates += 2
+        if self.time >= self._fails_at:
+            raise RunFailure(f"step {self.step_count}, t = {self.time:.3e} s, point 1: not finite (law Fake)")
+
+    def outline(self) -> dict[str, np.ndarray]:
+        z = 0.0 if self._wall == "plane" else 50.0 * max(self.time - DURATION, 0.0)
+        r, top = self._size()
+        return {
+            "foot": np.array([[0.0, z], [r, z]]),
+            "side": np.array([[r, z], [r, z + top / 2], [r, z + top]]),
+            "rear": np.array([[r, z + top], [0.0, z + top]]),
+        }
+
+    def domains(self) -> np.ndarray:
+        r, top = self._size()
+        lower = np.array([[0.0, 0.0], [r, 0.0], [r, top / 2], [0.0, top / 2]])
+        return np.array([lower, lower + [0.0, top / 2]])
+
+    def _size(self) -> tuple[float, float]:
+        stretch = 1.0 - 0.3 * self.progress * (1.0 + self._error)
+        return RADIUS / np.sqrt(stretch), LENGTH * stretch
+
+    def _fields(self) -> dict[str, Field]:
+        strain = np.array([0.4, 0.1]) * self.progress * (1.0 + self._error)
+        stress = np.tile([-1e8, 0.0, 0.0, 0.0, 0.0, 0.0], (2, 1))
+        return {
+            "equivalent_plastic_strain": Field("equivalent_plastic_strain", "1", (), strain),
+            "stress": Field("stress", "Pa", (6,), stress),
+        }
