@@ -8,7 +8,7 @@ from core_models.state import load_point, read, store_point, write
 from core_models.status import NOT_FINITE, OK
 from core_models.tensors import load_tensor
 
-WORK, PLASTIC, VISCOUS = 0, 1, 2
+WORK, PLASTIC, VISCOUS, SPEED, PRESSURE = 0, 1, 2, 3, 4
 
 
 @material_kernel
@@ -23,11 +23,12 @@ def advance_points(
     model, viscosity : laws. f0, f1 : (n, 3, 3) deformation gradient before and after. dt : [s].
     volumes : (n,) reference volumes [m^3]. lengths : (n,) characteristic lengths [m].
     old, new : `State`. wave_speed (n,) [m/s] and viscous (n,) [Pa] or None are written.
-    sums : (chunks, 3) stress work, plastic and viscous dissipation [J]; failures : (chunks, 2) status and point.
+    sums : (chunks, 5) stress work, plastic and viscous dissipation [J], largest wave speed [m/s] and viscous
+    pressure [Pa]; failures : (chunks, 2) status and point.
     """
     n = f1.shape[0]
     for chunk in range(first, last):
-        work, plastic, viscous_work = 0.0, 0.0, 0.0
+        work, plastic, viscous_work, fastest, largest = 0.0, 0.0, 0.0, 0.0, 0.0
         failures[chunk, 0] = OK
         for i in range(chunk * CHUNK, min((chunk + 1) * CHUNK, n)):
             status, point, balance = advance_point(
@@ -45,6 +46,10 @@ def advance_points(
             work += volumes[i] * balance.stress_work
             plastic += volumes[i] * balance.plastic
             viscous_work += volumes[i] * balance.viscous
+            fastest = max(fastest, balance.wave_speed)
+            largest = max(largest, balance.viscous_pressure)
         sums[chunk, WORK] = work
         sums[chunk, PLASTIC] = plastic
         sums[chunk, VISCOUS] = viscous_work
+        sums[chunk, SPEED] = fastest
+        sums[chunk, PRESSURE] = largest

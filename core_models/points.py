@@ -7,7 +7,7 @@ import numpy as np
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.compilation import CHUNK
 from core_models.errors import RunFailure
-from core_models.kernels import PLASTIC, VISCOUS, WORK, advance_points
+from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points
 from core_models.laws import elastic_moduli, pressure
 from core_models.material import Material
 from core_models.state import State
@@ -39,11 +39,14 @@ class Field(NamedTuple):
 
 
 class Work(NamedTuple):
-    """Work done on all points during a step [J]."""
+    """What a step did to all points: work of the stress, plastic and viscous dissipation [J]; and the largest wave
+    speed [m/s] and viscous pressure [Pa]."""
 
     stress: float
     plastic: float
     viscous: float
+    wave_speed: float
+    viscous_pressure: float
 
 
 class PointFailure(Exception):
@@ -90,7 +93,7 @@ class MaterialPoints:
         self.lengths = None if viscosity is None else np.zeros(self.n)
         self.wave_speed = np.full(self.n, initial_wave_speed(material))
         chunks = -(-self.n // CHUNK)
-        self._sums = np.zeros((chunks, 3))
+        self._sums = np.zeros((chunks, 5))
         self._failures = np.zeros((chunks, 2), dtype=np.int64)
 
     def advance(self, dt: float) -> Work:
@@ -106,8 +109,11 @@ class MaterialPoints:
         bad = np.flatnonzero(self._failures[:, 0] != OK)
         if bad.size:
             raise PointFailure(*(int(value) for value in self._failures[bad[0]]))
-        sums = self._sums.sum(axis=0)
-        return Work(float(sums[WORK]), float(sums[PLASTIC]), float(sums[VISCOUS]))
+        totals, largest = self._sums.sum(axis=0), self._sums.max(axis=0)
+        return Work(
+            float(totals[WORK]), float(totals[PLASTIC]), float(totals[VISCOUS]), float(largest[SPEED]),
+            float(largest[PRESSURE]),
+        )  # fmt: skip
 
     def accept(self) -> None:
         """Make the new state the old one."""

@@ -1,8 +1,7 @@
 """Rigid frictionless walls at z = 0: two names, the same meaning in both methods."""
 
-import difflib
-
 from core_models.errors import SceneError
+from core_models.names import nearest
 
 UNILATERAL = "unilateral"
 PLANE = "plane"
@@ -17,5 +16,6 @@ def check_wall(name: str) -> str:
     """The wall's name if there is such a wall; SceneError with the nearest one otherwise."""
     if name in MEANING:
         return name
-    near = difflib.get_close_matches(str(name), MEANING, n=1) or [UNILATERAL]
-    raise SceneError(f"no wall is called {name!r}: did you mean {near[0]!r}? Walls are {', '.join(MEANING)}")
+    raise SceneError(
+        f"no wall is called {name!r}: did you mean {nearest(name, MEANING)!r}? Walls are {', '.join(MEANING)}"
+    )

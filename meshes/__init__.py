@@ -2,3 +2,5 @@
 
 A mesh lies in the (r, z) plane: the radius r is x, the axial coordinate z is y, lengths are in metres.
 """
+
+DISTRIBUTION = "matpoint"

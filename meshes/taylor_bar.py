@@ -6,8 +6,11 @@ from types import ModuleType
 import numpy as np
 
 from core_models.errors import MeshError
-from meshes.gmsh_session import gmsh_model
+from meshes.gmsh_model import gmsh_model
 from meshes.quad_mesh import QuadMesh
+
+STEEPEST_GRADING = 100.0
+"""Ratio of axial sizes up to which gmsh places nodes to some 1e-5 of an element."""
 
 
 def taylor_bar(
@@ -22,8 +25,8 @@ def taylor_bar(
 
     Parameters: radius, length [m], > 0; elements_across: from axis to side, >= 1; elements_along: from foot
     to rear, >= 1 (default: as many as make square elements); grading: axial size of the elements at the foot
-    divided by that at the rear, > 0, in geometric progression between (1: all even); foot_height: z of the
-    foot [m].
+    divided by that at the rear, 0.01 to 100, in geometric progression between (1: all even); foot_height: z
+    of the foot [m].
     Nodes and elements are numbered from the axis outwards, row by row from the foot.
     Raises MeshError when a parameter is outside its range or gmsh cannot be loaded.
     """
@@ -46,9 +49,11 @@ def _check(
     radius: float, length: float, across: int, along: int | None, grading: float, foot_height: float
 ) -> None:
     """Raise MeshError for the first parameter that is outside its range."""
-    for name, value in (("radius", radius), ("length", length), ("grading", grading)):
+    for name, value in (("radius", radius), ("length", length)):
         if not (math.isfinite(value) and value > 0.0):
             raise MeshError(f"taylor bar: {name} is {value:g}; give a positive number")
+    if not 1.0 / STEEPEST_GRADING <= grading <= STEEPEST_GRADING:
+        raise MeshError(f"taylor bar: grading is {grading:g}; give a number from 0.01 to 100 (1 is even)")
     if not math.isfinite(foot_height):
         raise MeshError(f"taylor bar: foot_height is {foot_height:g}; give a finite number")
     for name, count in (("elements_across", across), ("elements_along", along)):

@@ -42,7 +42,7 @@ def install(packages: list[str]) -> None:
     """Install packages with apt-get, without questions."""
     environment = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
     for arguments in (["update"], ["install", "--yes", "--no-install-recommends", *packages]):
-            command = ["apt-get", "--quiet", "--quiet", *arguments]
+        command = ["apt-get", "--quiet", "--quiet", *arguments]
         subprocess.run(command, env=environment, stdout=subprocess.DEVNULL, check=True)
 
 

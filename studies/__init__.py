@@ -1,1 +1,1 @@
-"""What to simulate and what came of it: scenes, runs, quantities, comparison, report, the command `matpoint`."""
+"""The studies of matpoint: scenes, runs, quantities, comparison, report and the command line."""

@@ -14,7 +14,10 @@ def read_bar(bodies: tuple[Cylinder, ...], material: etree._Element) -> Bar:
     """The one cylinder, its axis from bottom (at the wall) to top, flying towards its bottom."""
     if len(bodies) != 1:
         raise refusal(
-            material, f"<material> has {len(bodies)} bodies", "a scene has one geom_object with a cylinder", SceneError
+            material,
+            f"<material> has {len(bodies)} bodies",
+            "a scene has one geom_object with a cylinder",
+            SceneError,
         )
     body = bodies[0]
     element = material.find("geom_object")
@@ -24,7 +27,10 @@ def read_bar(bodies: tuple[Cylinder, ...], material: etree._Element) -> Bar:
     sideways = np.linalg.norm(np.subtract(body.velocity, speed * axis / length))
     if sideways > OFF_AXIS * abs(speed):
         raise refusal(
-            element, "the velocity is not along the cylinder's axis", "only straight impact is offered", UnsupportedError
+            element,
+            "the velocity is not along the cylinder's axis",
+            "only straight impact is offered",
+            UnsupportedError,
         )
     try:
         return Bar(body.radius, length, speed, body.temperature)

@@ -1,8 +1,8 @@
 """Measures of a deformed bar's outline, heights counted from the lowest point of its foot.
 
-An outline is the boundary of the deformed body as three lines of (r, z) [m]: 'foot' from the axis to the rim,
-'side' from the foot's rim to the rear's, 'rear' back to the axis. Counting from the lowest point measures a bar
-that has left the wall like one that stands on it; under the plane wall that point is the wall.
+An outline is the boundary of the deformed body as three lines of (r, z) [m]: 'foot' from the axis to the
+rim, 'side' from the foot's rim to the rear's, 'rear' back to the axis. Counting from the lowest point measures
+a bar that has left the wall like one that stands on it; under the plane wall that point is the wall.
 """
 
 import numpy as np
@@ -32,3 +32,8 @@ def rim_lift(outline: Outline) -> float:
 def lowest_point(outline: Outline) -> float:
     """Height of the lowest point of the foot [m]."""
     return float(outline["foot"][:, 1].min())
+
+
+def standing(outline: Outline) -> Outline:
+    """The same outline, moved so that its lowest point is at z = 0."""
+    return {part: line - [0.0, lowest_point(outline)] for part, line in outline.items()}

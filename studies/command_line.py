@@ -5,7 +5,6 @@ import sys
 from collections.abc import Sequence
 from importlib import import_module
 
-from core_models.errors import MatpointError
 from studies.options import Parser
 from studies.own_packages import check_own_packages
 
@@ -31,21 +30,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
         check_own_packages()
         options = _parse(list(sys.argv[1:] if arguments is None else arguments))
         return options.execute(options)
-    except MatpointError as error:
-        print(f"matpoint: {error}", file=sys.stderr)
-        return error.exit_status
     except KeyboardInterrupt:
         print("matpoint: interrupted; what had been written is kept, without run.json", file=sys.stderr)
         return INTERRUPTED
     except BrokenPipeError:
         sys.stderr.close()
         return 0
+    except Exception as error:
+        # MatpointError is known by its status: importing it here would load the compiler for --help.
+        status = getattr(error, "exit_status", None)
+        if status is None:
+            raise
+        print(f"matpoint: {error}", file=sys.stderr)
+        return status
 
 
 def _parse(arguments: list[str]) -> argparse.Namespace:
     parser = Parser(
         prog="matpoint",
-        description="Impact and large deformation by the material point and finite element methods, one set of laws.",
+        description="Impact by the material point and the finite element method, with one set of material laws.",
         epilog=EXAMPLES,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )

@@ -4,6 +4,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from core_models.errors import UnsupportedError
+from core_models.walls import check_wall
 from studies.comparison import Comparison, conclude
 from studies.methods import check_resolution, find_method, resolutions_of
 from studies.output_folder import OutputFolder
@@ -11,7 +12,7 @@ from studies.report.page import report_page
 from studies.run_record import run_entry, to_json
 from studies.run_result import RunResult
 from studies.running import simulate
-from studies.scene import Scene, check_wall
+from studies.scene import Scene
 from studies.versions import processor, versions
 
 
@@ -27,9 +28,10 @@ def compare(
 ) -> Comparison:
     """Run a scene by every method at every resolution under one wall and compare.
 
-    resolutions: elements or cells across the radius (default: the scene's own for each method); out: folder for
-    results.json and one subfolder per run (default: nothing is written). A run that goes wrong is recorded with
-    its message and does not stop the others. Raises SceneError, OutputError before anything is written.
+    resolutions: elements or cells across the radius (default: the scene's own for each method); out: folder
+    for results.json, report.html and one subfolder per run (default: nothing is written). A run that goes
+    wrong is recorded with its message and does not stop the others.
+    Raises SceneError, MeshError, OutputError before anything is written.
     """
     wall = check_wall(wall or scene.wall)
     plan = [(method, n) for method in methods for n in sorted(resolutions or _own(scene, method))]
@@ -75,7 +77,13 @@ def _own(scene: Scene, method: str) -> tuple[int, ...]:
 
 
 def _one(
-    scene: Scene, method: str, resolution: int, wall: str, threads: int, folder: OutputFolder | None, progress: bool
+    scene: Scene,
+    method: str,
+    resolution: int,
+    wall: str,
+    threads: int,
+    folder: OutputFolder | None,
+    progress: bool,
 ) -> RunResult:
     options = {"wall": wall, "threads": threads, "progress": progress}
     if folder is None:

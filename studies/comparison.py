@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 
 from studies import profile
+from studies.bar_shape import standing
 from studies.convergence import Estimate, extrapolate
 from studies.differences import Difference, difference
 from studies.methods import METHODS
@@ -75,12 +76,14 @@ def _limits(runs: list[RunResult]) -> dict[str, Estimate]:
     return limits
 
 
-def _differences(first: RunResult, second: RunResult, limits: dict[str, dict[str, Estimate]]) -> list[Difference]:
+def _differences(
+    first: RunResult, second: RunResult, limits: dict[str, dict[str, Estimate]]
+) -> list[Difference]:
     names = [name for name in limits[first.method] if name in limits[second.method]]
     return [difference(name, first, second, limits) for name in names]
 
 
 def _profile_gap(first: RunResult, second: RunResult) -> ProfileGap:
-    lines = [run.final.outline["side"] for run in (first, second)]
+    lines = [standing(run.final.outline)["side"] for run in (first, second)]
     rms = profile.distance_between(*lines)
     return ProfileGap(first.label, second.label, rms, rms / first.scene.bar.length)

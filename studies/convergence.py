@@ -1,4 +1,4 @@
-"""Limits of sequences of refinements: f(h) = f0 + a h^p by least squares, and how far the limit can be trusted.
+"""Limits of sequences of refinements: f(h) = f0 + a h^p by least squares, and how far to trust them.
 
 Follows L. Eca, M. Hoekstra, "A procedure for the estimation of the numerical uncertainty of CFD calculations
 based on grid refinement studies", J. Comput. Phys. 262 (2014) 104-130, with the uncertainty stated about the

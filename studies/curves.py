@@ -19,7 +19,9 @@ def read_curve(curve: ReferenceCurve) -> dict[str, np.ndarray]:
     lines = [line for line in text.splitlines() if line and not line.startswith("#")]
     names, *rows = csv.reader(lines)
     if tuple(names) != COLUMNS[curve.kind]:
-        raise SceneError(f"{curve.path}: columns must be {','.join(COLUMNS[curve.kind])}, not {','.join(names)}")
+        raise SceneError(
+            f"{curve.path}: columns must be {','.join(COLUMNS[curve.kind])}, not {','.join(names)}"
+        )
     try:
         values = np.array([[float(cell) for cell in row] for row in rows])
     except ValueError as error:

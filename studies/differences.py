@@ -30,7 +30,9 @@ class Difference:
     verdict: str
 
 
-def difference(name: str, first: RunResult, second: RunResult, limits: dict[str, dict[str, Estimate]]) -> Difference:
+def difference(
+    name: str, first: RunResult, second: RunResult, limits: dict[str, dict[str, Estimate]]
+) -> Difference:
     """Compare one quantity of two finest runs and of the limits of their methods."""
     unit = first.quantities[name].unit
     values = first.quantities[name].value, second.quantities[name].value

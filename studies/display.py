@@ -9,6 +9,7 @@ SHOWN_UNITS = {
     "1": (1.0, ""),
 }
 ABSENT = "–"
+SMALLEST = 1e-9  # in shown units; what is smaller is round-off
 
 
 def shown_name(quantity: str) -> str:
@@ -38,7 +39,7 @@ def with_unit(value: float | None, unit: str, digits: int = 5) -> str:
 
 def number(value: float, digits: int = 4) -> str:
     """So many significant digits, trailing zeros kept, exponents only for the extreme."""
-    if value == 0.0:
+    if abs(value) < SMALLEST:
         return "0"
     text = f"{value:#.{digits}g}"
     return text.rstrip(".") if "e" not in text else f"{value:.{max(digits - 2, 1)}e}"

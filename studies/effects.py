@@ -3,12 +3,8 @@
 from math import sqrt
 
 from core_models.material import Effect
+from core_models.walls import MEANING
 from studies.scene import Scene
-
-WALL_MEANING = {
-    "unilateral": "rigid wall: nothing passes, everything may leave",
-    "plane": "rigid plane: what touches it is held at zero normal velocity, no release",
-}
 
 
 def scene_effects(scene: Scene, wall: str) -> list[Effect]:
@@ -19,8 +15,12 @@ def scene_effects(scene: Scene, wall: str) -> list[Effect]:
 def _own_effects(scene: Scene, wall: str) -> list[Effect]:
     viscosity = scene.viscosity
     return [
-        Effect(f"wall ({wall})", True, WALL_MEANING[wall]),
-        Effect("wall friction", False, "frictionless wall: the scene's benchmark, and nothing else is offered yet"),
+        Effect(f"wall ({wall})", True, f"rigid: {MEANING[wall]}"),
+        Effect(
+            "wall friction",
+            False,
+            "frictionless wall: the scene's benchmark, and nothing else is offered yet",
+        ),
         Effect("bulk viscosity", viscosity is not None, _viscosity_reason(viscosity)),
         Effect("heat conduction", False, _conduction_reason(scene, wall)),
         Effect("gravity", False, "changes velocities by less than 0.01 m/s in the time simulated"),
@@ -34,7 +34,9 @@ def _conduction_reason(scene: Scene, wall: str) -> str:
         return "adiabatic: not offered yet, and the card gives no conductivity and specific heat"
     diffusivity = material.thermal_conductivity / (material.density * material.specific_heat.value)
     travelled = sqrt(diffusivity * scene.end.limit(wall))
-    return f"adiabatic: with the card's conductivity heat would travel {travelled * 1e3:.2g} mm; not offered yet"
+    return (
+        f"adiabatic: with the card's conductivity heat would travel {travelled * 1e3:.2g} mm; not offered yet"
+    )
 
 
 def _viscosity_reason(viscosity) -> str:

@@ -37,5 +37,7 @@ class Ending:
         if self.released(solver):
             return f"one axial period after the bar left the wall at {self._contact.last * 1e6:.4g} us"
         if self._period is not None:
-            return f"latest time {self._limit * 1e6:.4g} us reached before the bar had left for one axial period"
+            return (
+                f"latest time {self._limit * 1e6:.4g} us reached before the bar had left for one axial period"
+            )
         return f"end time {self._limit * 1e6:.4g} us"

@@ -34,10 +34,9 @@ class Frames(Observer):
 
         self._next = (np.floor(solver.time / self._interval) + 1.0) * self._interval
         name = f"frames/frame-{len(self._written):04d}.vtu"
-        data = cell_data(solver)
-        self._folder.write(name, lambda path: write_polygons_vtu(path, solver.domains(), data))
+        write_polygons_vtu(self._folder.file(name), solver.domains(), cell_data(solver))
         self._written.append((solver.time, name))
-        self._folder.write("series.pvd", lambda path: write_pvd(path, self._written))
+        write_pvd(self._folder.file("series.pvd"), self._written)
 
 
 def cell_data(solver) -> dict[str, np.ndarray]:

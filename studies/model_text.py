@@ -13,7 +13,9 @@ def model_list() -> str:
     """All laws by slot: card type, class, one line."""
     parts = []
     for slot in SLOTS:
-        rows = [[f"  {model.types[0]}", f"{model.law.__name__:<24}{_first_line(model)}"] for model in slot.models]
+        rows = [
+            [f"  {model.types[0]}", f"{model.law.__name__:<24}{_first_line(model)}"] for model in slot.models
+        ]
         if rows:
             width = max(len(row[1]) for row in rows)
             parts.append(f"{slot.slot}  <{slot.tags[0]}>\n" + aligned([[a, b.ljust(width)] for a, b in rows]))
@@ -22,7 +24,9 @@ def model_list() -> str:
 
 def model_text(name: str) -> str:
     """Everything about the laws of that card type or class; raises SceneError naming the nearest one."""
-    found = [_explained(slot, model) for slot, model in _models() if name in (*model.types, model.law.__name__)]
+    found = [
+        _explained(slot, model) for slot, model in _models() if name in (*model.types, model.law.__name__)
+    ]
     if not found:
         valid = {known for _, model in _models() for known in (*model.types, model.law.__name__)}
         raise SceneError(f"no law '{name}'; {nearest(name, valid)}")

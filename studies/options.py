@@ -3,7 +3,6 @@
 import argparse
 from typing import NoReturn
 
-from core_models.errors import SceneError
 from studies.names import nearest
 
 
@@ -22,12 +21,14 @@ class Parser(argparse.ArgumentParser):
         """Parse, refusing unknown options by name."""
         namespace, unknown = self.parse_known_args(arguments)
         if unknown:
-            raise SceneError(f"unknown option '{unknown[0]}'; {nearest(unknown[0], namespace.known_options)}")
+            self.error(f"unknown option '{unknown[0]}'; {nearest(unknown[0], namespace.known_options)}")
         return namespace
 
     def error(self, message: str) -> NoReturn:
         """One line, as a SceneError."""
-        raise SceneError(f"{message} (see {self.prog} --help)")
+        from core_models.errors import SceneError
+
+        raise SceneError(message)
 
 
 def whole_numbers(text: str) -> tuple[int, ...]:
@@ -52,9 +53,15 @@ def names(text: str) -> tuple[str, ...]:
 
 def add_scene_options(parser: argparse.ArgumentParser) -> None:
     """The scene and where its includes and laws are found."""
-    parser.add_argument("scene", metavar="SCENE", help="a shipped scene's name (matpoint scenes) or an XML file")
     parser.add_argument(
-        "--search-root", metavar="DIR", action="append", default=[], help="folder in which includes are looked for"
+        "scene", metavar="SCENE", help="a shipped scene's name (matpoint scenes) or an XML file"
+    )
+    parser.add_argument(
+        "--search-root",
+        metavar="DIR",
+        action="append",
+        default=[],
+        help="folder in which includes are looked for",
     )
     parser.add_argument("--laws", metavar="FILE", help="Python file with laws of your own")
 

@@ -1,11 +1,11 @@
 """A run's folder: claimed by one process, written file by file, never half a file."""
 
 import fcntl
-import os
-from collections.abc import Callable
+import shutil
 from pathlib import Path
 
 from core_models.errors import OutputError
+from meshes.atomic import replacing
 
 LOCK = ".lock"
 
@@ -24,7 +24,9 @@ class OutputFolder:
             self.path.mkdir(parents=True, exist_ok=True)
             self._lock = open(self.path / LOCK, "a")  # noqa: SIM115 - held open as long as the folder is ours
         except OSError as error:
-            raise OutputError(f"{self.path}: cannot write here ({error.strerror}); choose another with --out") from error
+            raise OutputError(
+                f"{self.path}: cannot write here ({error.strerror}); choose another with --out"
+            ) from error
         self._claim()
 
     def _claim(self) -> None:
@@ -35,20 +37,21 @@ class OutputFolder:
             self._lock.close()
             raise _in_use(self.path, "another run is writing to it") from error
 
-    def write_text(self, name: str, text: str) -> Path:
-        """Write one text file, atomically."""
-        return self.write(name, lambda path: path.write_text(text, encoding="utf-8"))
-
-    def write(self, name: str, writer: Callable[[Path], object]) -> Path:
-        """Let `writer` write one file at the temporary path it is given, then put it in place, atomically."""
+    def file(self, name: str) -> Path:
+        """The path of a file in the folder, its own folder made; to be written atomically."""
         target = self.path / name
         target.parent.mkdir(parents=True, exist_ok=True)
-        temporary = target.with_name(f".part-{target.name}")
-        writer(temporary)
-        _flush(temporary)
-        os.replace(temporary, target)
-        _flush(target.parent)
         return target
+
+    def write_text(self, name: str, text: str) -> None:
+        """Write one text file, atomically."""
+        with replacing(self.file(name)) as temporary:
+            temporary.write_text(text, encoding="utf-8")
+
+    def copy(self, source: Path) -> None:
+        """Copy one file into the folder, atomically."""
+        with replacing(self.file(source.name)) as temporary:
+            shutil.copyfile(source, temporary)
 
     def subfolder(self, name: str) -> "OutputFolder":
         """A folder of its own for one of several runs."""
@@ -79,11 +82,3 @@ def check_unused(path: Path | str) -> None:
 
 def _in_use(path: Path, why: str) -> OutputError:
     return OutputError(f"{path}: output folder in use ({why}); choose another with --out, or remove it")
-
-
-def _flush(path: Path) -> None:
-    descriptor = os.open(path, os.O_RDONLY)
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)

@@ -3,25 +3,26 @@
 from importlib.util import find_spec
 from pathlib import Path
 
-from core_models.errors import MatpointError
+
+class ShadowedPackage(ImportError):
+    """Another package is found instead of ours; not a MatpointError, since core_models may be that package."""
+
+    exit_status = 2
+
 
 PACKAGES = ("core_models", "mpm", "fem", "meshes", "studies")
 MARK = "matpoint"  # every package's __init__ names the distribution
 
 
-class ShadowedPackageError(MatpointError):
-    """Another package of the same name is found instead of ours."""
-
-
 def check_own_packages() -> None:
-    """Raise ShadowedPackageError when an import would find another package; imports nothing."""
+    """Raise ShadowedPackage when an import would find another package; imports none of them."""
     ours = Path(__file__).resolve().parent.parent
     for name in PACKAGES:
         found = _location(name)
         if found is None:
-            raise ShadowedPackageError(f"package {name} is missing from {ours}: install matpoint again")
+            raise ShadowedPackage(f"package {name} is missing from {ours}: install matpoint again")
         if found.parent.parent != ours or MARK not in found.read_text(encoding="utf-8"):
-            raise ShadowedPackageError(
+            raise ShadowedPackage(
                 f"package {name} at {found.parent} shadows matpoint's at {ours / name}: "
                 "uninstall it, or run from another folder without PYTHONPATH"
             )

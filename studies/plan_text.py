@@ -2,10 +2,12 @@
 
 from math import ceil, sqrt
 
+from core_models.material import Material
+from core_models.walls import check_wall
 from studies.display import number
 from studies.effects import scene_effects
 from studies.methods import METHODS, build_mesh, check_resolution, find_method, resolutions_of
-from studies.scene import Scene, check_wall
+from studies.scene import Scene
 from studies.text_table import aligned
 
 CRUSHED = {"fem-explicit": 6.0, "mpm": 1.2}  # elements are crushed and get stiffer and thinner; a grid is not
@@ -20,16 +22,21 @@ def plan_text(
     bar = scene.bar
     parts = [
         f"{scene.name}: {scene.description}",
-        f"bar      L0 {bar.length * 1e3:g} mm, R0 {bar.radius * 1e3:g} mm, {-bar.velocity:g} m/s, {bar.temperature:g} K\n"
+        f"bar      L0 {bar.length * 1e3:g} mm, R0 {bar.radius * 1e3:g} mm, "
+        f"{-bar.velocity:g} m/s, {bar.temperature:g} K\n"
         f"wall     {wall}\n"
         f"end      {_end(scene, wall)}\n"
-        f"material {scene.material.name}: {', '.join(map(_law, (scene.material.update, *scene.material.laws)))}",
+        f"material {_laws(scene.material)}",
         aligned(_effect_rows(scene, wall)),
         aligned(_run_rows(scene, methods or tuple(METHODS), resolutions, wall)),
     ]
     if scene.unused:
         parts.append("tags that do nothing:\n" + "\n".join(f"  {tag}" for tag in scene.unused))
     return "\n\n".join(parts)
+
+
+def _laws(material: Material) -> str:
+    return "\n         ".join(_law(law) for law in material.laws)
 
 
 def _law(law: tuple) -> str:
@@ -50,7 +57,9 @@ def _effect_rows(scene: Scene, wall: str) -> list[list[str]]:
     return [[e.name, "on " if e.on else "off", e.reason.ljust(width)] for e in effects]
 
 
-def _run_rows(scene: Scene, methods: tuple[str, ...], resolutions: tuple[int, ...] | None, wall: str) -> list[list[str]]:
+def _run_rows(
+    scene: Scene, methods: tuple[str, ...], resolutions: tuple[int, ...] | None, wall: str
+) -> list[list[str]]:
     rows = [["run", "points", "smallest edge mm", "steps, about"]]
     for method in methods:
         find_method(method)
@@ -58,7 +67,9 @@ def _run_rows(scene: Scene, methods: tuple[str, ...], resolutions: tuple[int, ..
             mesh = build_mesh(scene, check_resolution(resolution))
             edge = scene.bar.radius / resolution if method == "mpm" else _smallest_edge(mesh)
             steps = CRUSHED[method] * scene.end.limit(wall) * _wave_speed(scene) / (COURANT[method] * edge)
-            rows.append([f"{method} {resolution}", str(4 * len(mesh.quads)), number(edge * 1e3, 3), str(ceil(steps))])
+            rows.append(
+                [f"{method} {resolution}", str(4 * len(mesh.quads)), number(edge * 1e3, 3), str(ceil(steps))]
+            )
     return rows
 
 

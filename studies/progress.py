@@ -33,7 +33,9 @@ class Progress(Observer):
         share = min(solver.time / self._ending.expected(solver), 1.0)
         left = (now - self._began) * (1.0 - share) / share
         bar = "#" * int(WIDTH * share)
-        self._show(f"{self._label}  [{bar:<{WIDTH}}] {share:4.0%}  {solver.time * 1e6:7.2f} us  {clock(left)} left")
+        self._show(
+            f"{self._label}  [{bar:<{WIDTH}}] {share:4.0%}  {solver.time * 1e6:7.2f} us  {clock(left)} left"
+        )
 
     def finish(self, solver) -> None:
         """Wipe the line."""

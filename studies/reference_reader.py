@@ -6,8 +6,9 @@ from lxml import etree
 
 from core_models.cards import check_attributes, refusal
 from core_models.errors import SceneError
+from core_models.walls import MEANING
 from studies.quantity_names import QUANTITIES
-from studies.scene import WALLS, Reference, ReferenceCurve
+from studies.scene import Reference, ReferenceCurve
 from studies.scene_attributes import choice, local_file, number_attribute, required_number, required_text
 
 
@@ -18,7 +19,9 @@ def read_reference(element: etree._Element) -> Reference:
     if value is not None and (element.get("low") or element.get("high")):
         raise refusal(element, "a value and a range are given", "keep one of them", SceneError)
     low, high = (value, value) if value is not None else _range(element)
-    return Reference(choice(element, "quantity", QUANTITIES), low, high, required_text(element, "source"), _wall(element))
+    return Reference(
+        choice(element, "quantity", QUANTITIES), low, high, required_text(element, "source"), _wall(element)
+    )
 
 
 def read_curve_entry(element: etree._Element, folder: Path) -> ReferenceCurve:
@@ -36,4 +39,4 @@ def _range(element: etree._Element) -> tuple[float, float]:
 
 
 def _wall(element: etree._Element) -> str | None:
-    return None if element.get("wall") is None else choice(element, "wall", WALLS)
+    return None if element.get("wall") is None else choice(element, "wall", tuple(MEANING))

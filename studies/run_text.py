@@ -8,7 +8,12 @@ from studies.text_table import aligned
 def run_text(result: RunResult) -> str:
     """Quantities and cost of a finished run."""
     rows = [
-        [shown_name(name), shown(quantity.value, quantity.unit), shown_unit(quantity.unit).ljust(4), quantity.note]
+        [
+            shown_name(name),
+            shown(quantity.value, quantity.unit),
+            shown_unit(quantity.unit).ljust(4),
+            quantity.note,
+        ]
         for name, quantity in result.quantities.items()
     ]
     width = max(len(row[3]) for row in rows)
@@ -16,6 +21,6 @@ def run_text(result: RunResult) -> str:
     cost = result.cost
     return (
         f"{result.scene.name}, {result.label}, wall {result.wall}; ended: {result.ended}\n\n{table}\n\n"
-        f"{result.points} points, {cost.steps} steps, {cost.wall_s:.1f} s in all (compilation {cost.compile_s:.1f} s); "
-        f"energy closes to {100.0 * result.conservation['energy']:.3f} %"
+        f"{result.points} points, {cost.steps} steps, {cost.wall_s:.1f} s in all "
+        f"(compilation {cost.compile_s:.1f} s); energy closes to {100.0 * result.conservation['energy']:.3f} %"
     )

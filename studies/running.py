@@ -4,6 +4,7 @@ import time
 from pathlib import Path
 
 from core_models.errors import RunFailure
+from core_models.walls import check_wall
 from studies.contact_watch import ContactWatch
 from studies.costs import Cost, measured
 from studies.ending import Ending
@@ -15,7 +16,7 @@ from studies.output_folder import OutputFolder
 from studies.progress import Progress
 from studies.run_record import run_record, to_json
 from studies.run_result import FinalState, RunResult
-from studies.scene import Scene, check_wall
+from studies.scene import Scene
 from studies.scene_writer import write_scene
 from studies.taylor_impact import measure
 
@@ -65,6 +66,7 @@ def simulate(
         began = time.perf_counter()
         solver = build_solver(scene, method, resolution, wall, threads)
         cost.setup_s = time.perf_counter() - began
+        mass = solver.mass
         contact, history = ContactWatch(), History(folder, scene.end.limit(wall))
         ending = Ending(scene, wall, contact)
         observers: list[Observer] = [contact, history]
@@ -75,7 +77,7 @@ def simulate(
             observers.append(Progress(f"{method} {resolution}", ending))
         result = RunResult(scene, method, resolution, wall, threads, history, cost)
         result.failure = _advance(solver, ending, observers, cost)
-    _conclude(result, solver, ending, contact)
+    _conclude(result, solver, ending, contact, mass)
     if folder is not None:
         folder.write_text("run.json", to_json(run_record(result)))
     return result
@@ -107,7 +109,7 @@ def _advance(solver, ending: Ending, observers: list[Observer], cost: Cost) -> R
     return None
 
 
-def _conclude(result: RunResult, solver, ending: Ending, contact: ContactWatch) -> None:
+def _conclude(result: RunResult, solver, ending: Ending, contact: ContactWatch, mass: float) -> None:
     result.cost.steps, result.cost.point_updates = solver.step_count, solver.point_updates
     result.points = solver.points.n
     result.energies = {name: float(getattr(solver.ledger, name)) for name in (*ENERGIES, "initial")}
@@ -115,15 +117,15 @@ def _conclude(result: RunResult, solver, ending: Ending, contact: ContactWatch) 
         return
     result.ended = ending.reason(solver)
     result.quantities = measure(solver, result.scene, result.wall, result.history, contact)
-    result.conservation = _conservation(solver, result.history)
+    result.conservation = _conservation(solver, mass)
     result.final = FinalState(solver.domains(), cell_data(solver), solver.outline())
 
 
-def _conservation(solver, history: History) -> dict[str, float]:
-    """Relative errors: mass against the start's, momentum against the wall's impulse, energy by the ledger."""
+def _conservation(solver, initial_mass: float) -> dict[str, float]:
+    """Relative errors: mass, momentum against the wall's impulse, energy by the ledger."""
     expected = solver.initial_momentum + solver.wall_impulse
     return {
-        "mass": float(abs(solver.mass - solver.initial_mass) / solver.initial_mass),
+        "mass": float(abs(solver.mass - initial_mass) / initial_mass),
         "momentum": float(abs(solver.momentum - expected) / abs(solver.initial_momentum)),
-        "energy": float(solver.ledger.relative_error),
+        "energy": float(abs(solver.ledger.relative_error)),
     }

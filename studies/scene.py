@@ -1,4 +1,4 @@
-"""A scene: what to simulate, as plain data. All lengths in m, times in s, velocities in m/s, temperatures in K."""
+"""A scene: what to simulate, as plain data. Lengths in m, times in s, velocities in m/s, temperatures in K."""
 
 from dataclasses import dataclass, field
 from math import sqrt
@@ -7,9 +7,7 @@ from pathlib import Path
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.errors import SceneError
 from core_models.material import Material
-from studies.names import nearest
-
-WALLS = ("unilateral", "plane")
+from core_models.walls import UNILATERAL, check_wall
 
 
 @dataclass(frozen=True)
@@ -29,7 +27,9 @@ class Bar:
             if not getattr(self, name) > 0.0:
                 raise SceneError(f"the bar's {name} must be positive, not {getattr(self, name):g}")
         if not self.velocity < 0.0:
-            raise SceneError(f"the bar's axial velocity must point to the wall (negative), not {self.velocity:g}")
+            raise SceneError(
+                f"the bar's axial velocity must point to the wall (negative), not {self.velocity:g}"
+            )
 
 
 @dataclass(frozen=True)
@@ -53,13 +53,13 @@ class End:
 
     def after_release(self, wall: str) -> bool:
         """Whether the scene ends when the bar has left this wall."""
-        return self.time is None and wall == "unilateral"
+        return self.time is None and wall == UNILATERAL
 
     def limit(self, wall: str) -> float:
         """The time at which a run under this wall ends in any case [s]."""
         if self.time is not None:
             return self.time
-        return self.latest if wall == "unilateral" or self.plane is None else self.plane
+        return self.latest if wall == UNILATERAL or self.plane is None else self.plane
 
 
 @dataclass(frozen=True)
@@ -87,15 +87,15 @@ class ReferenceCurve:
 class Scene:
     """A bar of one material hitting a rigid frictionless wall at z = 0, axisymmetric about z.
 
-    resolutions: method name -> elements or cells across the radius, coarse to fine; a single run takes the last.
-    mesh: the user's own quad mesh instead of the cylinder's; laws: the user's own law file, already loaded.
+    resolutions: method name -> elements or cells across the radius, coarse to fine; a single run takes the
+    last. mesh: the user's own quad mesh instead of the cylinder's; laws: the user's own law file, already loaded.
     """
 
     name: str
     material: Material
     bar: Bar
     end: End
-    wall: str = "unilateral"
+    wall: str = UNILATERAL
     viscosity: BulkViscosity | None = field(default_factory=BulkViscosity)
     resolutions: dict[str, tuple[int, ...]] = field(default_factory=dict)
     description: str = ""
@@ -115,10 +115,3 @@ class Scene:
         bulk, shear = elastic.bulk_modulus, elastic.shear_modulus
         young = 9.0 * bulk * shear / (3.0 * bulk + shear)
         return 2.0 * self.bar.length / sqrt(young / self.material.density)
-
-
-def check_wall(wall: str) -> str:
-    """The wall's name, if there is such a wall; raises SceneError naming the nearest one."""
-    if wall not in WALLS:
-        raise SceneError(f"unknown wall '{wall}'; {nearest(wall, WALLS)}")
-    return wall

@@ -50,7 +50,10 @@ def whole_numbers(element: etree._Element, name: str) -> tuple[int, ...]:
     words = element.get(name, "").split()
     if not all(word.isascii() and word.isdigit() and int(word) >= 2 for word in words):
         raise refusal(
-            element, f'{name}="{element.get(name)}" leaves no cell', "write whole numbers of 2 or more", SceneError
+            element,
+            f'{name}="{element.get(name)}" leaves no cell',
+            "write whole numbers of 2 or more",
+            SceneError,
         )
     return tuple(sorted({int(word) for word in words}))
 
@@ -60,7 +63,9 @@ def local_file(element: etree._Element, folder: Path) -> Path:
     href = required_text(element, "href")
     path = (folder / href).resolve()
     if not path.is_relative_to(folder.resolve()):
-        raise refusal(element, f'href="{href}" leads out of the scene\'s folder', "put the file beside it", SceneError)
+        raise refusal(
+            element, f'href="{href}" leads out of the scene\'s folder', "put the file beside it", SceneError
+        )
     if not path.is_file():
         raise refusal(element, f'href="{href}": no such file in {folder}', "correct the name", SceneError)
     return folder / href

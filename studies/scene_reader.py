@@ -1,18 +1,18 @@
 """Scenes read from XML: the founding `<material>` block inside a small document.
 
-    <scene name="...">
-      <description>...</description>                                   optional
-      <material> ... with one geom_object cylinder ... </material>     core_models.cards
-      <mesh href="bar.msh"/>  <laws href="my_laws.py"/>                optional, in the scene's folder
-      <wall type="unilateral|plane"/>                                  default unilateral
-      <end time="80e-6"/>                                              or:
-      <end after="release" latest="150e-6" plane="120e-6"/>            plane: end under a wall without release
-      <plastic_heating>off</plastic_heating>                           default: as the card says
-      <bulk_viscosity linear="0.06" quadratic="1.2"/>                  default as here; 0 and 0: off
-      <resolution fem="8 12 16" mpm="12 16 24"/>                       elements, cells across the radius
-      <reference quantity="foot_radius" value="..." (or low, high) wall="..." source="..."/>       any number
-      <reference_curve kind="history|profile" href="..." wall="..." source="..."/>                 any number
-    </scene>
+<scene name="...">
+  <description>...</description>                                   optional
+  <material> ... with one geom_object cylinder ... </material>     core_models.cards
+  <mesh href="bar.msh"/>  <laws href="my_laws.py"/>                optional, in the scene's folder
+  <wall type="unilateral|plane"/>                                  default unilateral
+  <end time="80e-6"/>                                              or:
+  <end after="release" latest="150e-6" plane="120e-6"/>            plane: end under a wall without release
+  <plastic_heating>off</plastic_heating>                           default: as the card says
+  <bulk_viscosity linear="0.06" quadratic="1.2"/>                  default as here; 0 and 0: off
+  <resolution fem="8 12 16" mpm="12 16 24"/>                       elements, cells across the radius
+  <reference quantity="foot_radius" value="..." (or low, high) wall="..." source="..."/>       any number
+  <reference_curve kind="history|profile" href="..." wall="..." source="..."/>                 any number
+</scene>
 """
 
 from collections.abc import Iterable
@@ -26,10 +26,11 @@ from core_models.bulk_viscosity import BulkViscosity
 from core_models.cards import check_attributes, load_document, named_children, parse_material, refusal
 from core_models.errors import SceneError
 from core_models.material import Material
+from core_models.walls import MEANING, UNILATERAL
 from studies.bar_reader import read_bar
 from studies.methods import METHODS
 from studies.reference_reader import read_curve_entry, read_reference
-from studies.scene import WALLS, End, Scene
+from studies.scene import End, Scene
 from studies.scene_attributes import choice, local_file, number_attribute, required_number, whole_numbers
 from studies.shipped_scenes import find_scene
 
@@ -48,16 +49,20 @@ TAGS = (
 )
 
 
-def read_scene(name: str | Path, search_roots: Iterable[str | Path] = (), laws: str | Path | None = None) -> Scene:
+def read_scene(
+    name: str | Path, search_roots: Iterable[str | Path] = (), laws: str | Path | None = None
+) -> Scene:
     """The scene of a shipped name or a file.
 
-    search_roots: folders where includes are looked for; laws: a file with laws of the user's own, used besides
-    the one the scene names. Raises CardError or SceneError naming file, line, wrong value and remedy.
+    search_roots: folders where includes are looked for; laws: a file with laws of the user's own.
+    Raises CardError or SceneError naming file, line, wrong value and remedy.
     """
     path = find_scene(name)
     root = load_document(path, search_roots)
     if root.tag != "scene":
-        raise refusal(root, f"the root is <{root.tag}>", 'a scene document has the root <scene name="...">', SceneError)
+        raise refusal(
+            root, f"the root is <{root.tag}>", 'a scene document has the root <scene name="...">', SceneError
+        )
     check_attributes(root, ("name",))
     children = named_children(root, {tag: tag for tag in TAGS}, REPEATABLE)
     own_laws = _load_laws(children.get("laws"), path.parent, laws)
@@ -101,9 +106,9 @@ def _load_laws(element: etree._Element | None, folder: Path, extra: str | Path |
 
 def _wall(element: etree._Element | None) -> str:
     if element is None:
-        return WALLS[0]
+        return UNILATERAL
     check_attributes(element, ("type",))
-    return choice(element, "type", WALLS)
+    return choice(element, "type", tuple(MEANING))
 
 
 def _end(element: etree._Element) -> End:
@@ -144,6 +149,9 @@ def _with_heating(material: Material, element: etree._Element | None) -> Materia
     check_attributes(element, ())
     if (element.text or "").strip() != "off":
         raise refusal(
-            element, "<plastic_heating> only turns off what the card brings", "write off, or delete it", SceneError
+            element,
+            "<plastic_heating> only turns off what the card brings",
+            "write off, or delete it",
+            SceneError,
         )
     return replace(material, heating=None)

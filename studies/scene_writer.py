@@ -1,7 +1,5 @@
 """Scenes written as XML, resolved: no includes, every number with all its digits; reads back equal."""
 
-import shutil
-
 from lxml import etree
 
 from core_models.cards import material_element
@@ -14,7 +12,7 @@ def write_scene(scene: Scene, wall: str, folder: OutputFolder) -> None:
     """Write scene.xml, and beside it the files that it names."""
     named = [scene.mesh, scene.laws, *(curve.path for curve in scene.curves)]
     for path in filter(None, named):
-        folder.write(path.name, lambda target, source=path: shutil.copyfile(source, target))
+        folder.copy(path)
     text = etree.tostring(scene_element(scene, wall), pretty_print=True, encoding="unicode")
     folder.write_text("scene.xml", f'<?xml version="1.0" encoding="UTF-8"?>\n{text}')
 
@@ -68,4 +66,6 @@ def _add_references(root: etree._Element, scene: Scene) -> None:
         )
     for curve in scene.curves:
         wall = {"wall": curve.wall} if curve.wall else {}
-        etree.SubElement(root, "reference_curve", kind=curve.kind, href=curve.path.name, **wall, source=curve.source)
+        etree.SubElement(
+            root, "reference_curve", kind=curve.kind, href=curve.path.name, **wall, source=curve.source
+        )

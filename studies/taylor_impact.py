@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from core_models.errors import SceneError
+from core_models.walls import PLANE
 from studies import profile
 from studies.bar_shape import Outline, foot_radius, lowest_point, rim_lift
 from studies.contact_watch import ContactWatch
@@ -104,7 +105,7 @@ def _maximum(fields: dict, name: str, unit: str) -> Quantity:
 
 
 def _contact_duration(wall: str, contact: ContactWatch) -> Quantity:
-    if wall == "plane":
+    if wall == PLANE:
         return Quantity(None, "s", "a plane wall never lets go")
     if contact.first is None:
         return Quantity(None, "s", "the bar never touched the wall")

@@ -8,7 +8,7 @@ PACKAGES = ("matpoint", "numpy", "numba", "scikit-fem", "gmsh", "meshio", "lxml"
 
 
 def versions() -> dict[str, str]:
-    """Versions of Python, matpoint and the packages its results depend on; those not installed are left out."""
+    """Versions of Python, matpoint and what its results depend on; those not installed are left out."""
     found = {"python": platform.python_version()}
     for name in PACKAGES:
         try:
@@ -24,4 +24,6 @@ def processor() -> str:
         lines = Path("/proc/cpuinfo").read_text().splitlines()
     except OSError:
         return platform.processor() or platform.machine()
-    return next((line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")), platform.machine())
+    return next(
+        (line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")), platform.machine()
+    )

@@ -45,14 +45,21 @@ def imported_packages(path):
             yield node.module.split(".")[0]
 
 
+def made_by_tools(path):
+    """Whether a path is hidden (but for .ci), a cache, a result or the product of a build."""
+    parts = path.relative_to(ROOT).parts
+    return any(
+        part in {"results", "build", "dist", "__pycache__"}
+        or part.endswith(".egg-info")
+        or (part.startswith(".") and part != ".ci")
+        for part in parts
+    )
+
+
 def own_text_files():
-    """Every text file of the project: what is neither hidden, ignored nor made by a build."""
-    made = {"results", "build", "dist", "__pycache__"}
+    """Every text file of the project."""
     for path in sorted(ROOT.rglob("*")):
-        parts = path.relative_to(ROOT).parts
-        hidden = any(part.startswith(".") and part != ".ci" for part in parts)
-        built = made.intersection(parts) or any(part.endswith(".egg-info") for part in parts)
-        if path.is_file() and path.suffix in TEXT_SUFFIXES and not hidden and not built:
+        if path.is_file() and path.suffix in TEXT_SUFFIXES and not made_by_tools(path):
             yield path
 
 
@@ -119,7 +126,7 @@ def test_wheel_holds_the_packages_and_their_data_without_tests():
         relative(path)
         for package in MAY_IMPORT
         for path in (ROOT / package).rglob("*")
-        if path.is_file() and "__pycache__" not in path.parts and path.suffix not in suffixes
+        if path.is_file() and path.suffix not in suffixes and not made_by_tools(path)
     ]
     assert left_out == []
 

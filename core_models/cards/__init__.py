@@ -3,9 +3,8 @@
 from core_models.cards.atomic import write_atomically
 from core_models.cards.blocks import check_attributes, named_children
 from core_models.cards.bodies import Cylinder
-from core_models.cards.includes import load_document, resolved_copy
-from core_models.cards.names import valid_names
-from core_models.cards.numbers import read_number, read_value
+from core_models.cards.includes import load_document
+from core_models.cards.numbers import read_number
 from core_models.cards.origins import Origin, origin, refusal
 from core_models.cards.reader import MaterialCard, UnusedTag, parse_material, read_material
 from core_models.cards.shipped import DATA_FOLDER, shipped_materials
@@ -25,11 +24,8 @@ __all__ = [
     "parse_material",
     "read_material",
     "read_number",
-    "read_value",
     "refusal",
-    "resolved_copy",
     "shipped_materials",
-    "valid_names",
     "write_atomically",
     "write_material",
 ]

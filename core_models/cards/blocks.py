@@ -49,10 +49,10 @@ def named_children(
 
 def check_text(element: etree._Element) -> None:
     """Refuse text between the children of an element."""
-    for text in (element.text, *(child.tail for child in element)):
+    for place, text in ((element, element.text), *((child, child.tail) for child in element)):
         if text and text.strip():
             raise refusal(
-                element, f"stray text {quoted(text)} in <{element.tag}>", "delete it or put it in a tag"
+                place, f"stray text {quoted(text)} in <{element.tag}>", "delete it or put it in a tag"
             )
 
 

@@ -1,7 +1,6 @@
 """Documents with their includes spliced in place."""
 
 from collections.abc import Iterable
-from copy import deepcopy
 from pathlib import Path
 
 from lxml import etree
@@ -13,7 +12,9 @@ from core_models.cards.shipped import DATA_FOLDER
 from core_models.errors import UnsupportedError
 
 INCLUDE_ROOT = "Uintah_Include"
+
 DEEPEST_INCLUDE = 32
+MOST_INCLUDES = 512
 
 
 def load_document(path: str | Path, search_roots: Iterable[str | Path] = ()) -> etree._Element:
@@ -30,20 +31,13 @@ def load_document(path: str | Path, search_roots: Iterable[str | Path] = ()) -> 
     return _Splicer(roots).load(Path(path), ())
 
 
-def resolved_copy(element: etree._Element) -> etree._Element:
-    """A copy to be written to a file of its own: without the marks of where its parts came from."""
-    copy = deepcopy(element)
-    for node in copy.iter():
-        node.attrib.pop(XML_BASE, None)
-    return copy
-
-
 class _Splicer:
-    """Loads one document; the sizes of all files read add up, so that includes cannot multiply it."""
+    """Loads one document; counts and sizes add up, so that includes cannot multiply it."""
 
     def __init__(self, search_roots: tuple[Path, ...]) -> None:
         self._search_roots = search_roots
         self._size = 0
+        self._includes = 0
 
     def load(self, path: Path, chain: tuple[Path, ...]) -> etree._Element:
         root = parse_file(path)
@@ -60,7 +54,7 @@ class _Splicer:
             raise refusal(
                 included, f"an included file has the root <{included.tag}>", f"make it <{INCLUDE_ROOT}>"
             )
-        for owner, text in ((include, include.tail), (included, included.text)):
+        for owner, text in ((include, include.text), (include, include.tail), (included, included.text)):
             if text and text.strip():
                 raise refusal(owner, f"stray text {quoted(text)}", "delete it")
         parent = include.getparent()
@@ -81,6 +75,8 @@ class _Splicer:
                 UnsupportedError,
             )
         check_attributes(include, ("href",))
+        if len(include):
+            raise refusal(include, f"<include> holds <{include[0].tag}>", "move it out of the include")
         href = (include.get("href") or "").strip()
         if not href:
             raise refusal(include, "<include> names no file", 'write <include href="file.xml"/>')
@@ -99,10 +95,11 @@ class _Splicer:
         if target.resolve() in [file.resolve() for file in chain]:
             names = " -> ".join(printable(file) for file in (*chain, target))
             raise refusal(include, f"the includes form a cycle: {names}", "remove one of them")
-        if len(chain) >= DEEPEST_INCLUDE or self._size > LARGEST_FILE:
+        self._includes += 1
+        if len(chain) > DEEPEST_INCLUDE or self._includes > MOST_INCLUDES or self._size > LARGEST_FILE:
             raise refusal(
                 include,
-                f"the includes are more than {DEEPEST_INCLUDE} deep or together above {LARGEST_FILE} bytes",
+                f"more than {MOST_INCLUDES} includes, {DEEPEST_INCLUDE} in a chain or {LARGEST_FILE} bytes in all",
                 "include less",
             )
 

@@ -21,10 +21,7 @@ def read_number(element: etree._Element) -> float:
 
 def read_value(element: etree._Element, parameter: Parameter) -> float | tuple[float, ...]:
     """The number or vector of a parameter, within its range."""
-    if parameter.size == 1:
-        numbers = (read_number(element),)
-    else:
-        numbers = _vector(element, parameter.size)
+    numbers = (read_number(element),) if parameter.size == 1 else _vector(element, parameter.size)
     for number in numbers:
         _check_range(element, number, parameter)
     return numbers[0] if parameter.size == 1 else numbers

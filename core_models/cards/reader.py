@@ -119,3 +119,10 @@ def _material(blocks: Blocks, name: str) -> Material:
         return Material(name=name, **laws)
     except MaterialError as error:
         raise MaterialError(f"{origin(blocks.model)}: {error}") from error
+    except (ArithmeticError, ValueError) as error:
+        raise refusal(
+            blocks.model,
+            f"the laws of {name} cannot be evaluated at room temperature ({error})",
+            "correct the numbers of the flow law or room_temp",
+            MaterialError,
+        ) from error

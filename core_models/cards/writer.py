@@ -13,7 +13,6 @@ from core_models.schema import (
     CONSTANTS,
     ELASTICITY,
     SLOTS,
-    TOLERANCE,
     UPDATE,
     ModelSchema,
     Parameter,
@@ -49,11 +48,12 @@ def material_element(material: Material) -> etree._Element:
 
 def _element(material: Material) -> etree._Element:
     update = UPDATE.model_of(material.update)
-    card = {p.tag: _fed(material, p) for p in (*CONSTANTS, *ELASTICITY, TOLERANCE)}
+    card = {p.tag: _fed(material, p) for p in (*CONSTANTS, *ELASTICITY)}
     element = etree.Element("material", name=material.name)
     _add_numbers(element, CONSTANTS, card)
     block = etree.SubElement(element, UPDATE.tags[0], type=update.types[0])
-    _add_numbers(block, (TOLERANCE, *ELASTICITY), card)
+    _add_numbers(block, *_stated(update, material.update, card))
+    _add_numbers(block, ELASTICITY, card)
     for slot in LAWS_IN_BLOCKS:
         _add_law(element if slot.places[0] == "material" else block, slot, getattr(material, slot.slot), card)
     return element

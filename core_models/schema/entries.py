@@ -34,8 +34,8 @@ ZERO = Interval(0.0, 0.0)
 class Parameter:
     """One tag that holds a number (or, with `size` > 1, a vector of numbers).
 
-    `feeds` names the field of the law that it becomes, or for a constant of the card the Material's `field` or
-    `slot.field`; empty means the tag's own name. A tag that is left out takes `default`, else the value of
+    `feeds` names the field of the law that it becomes, for a constant of the card the Material's `field`
+    or `slot.field`; empty means the tag's own name. A tag that is left out takes `default`, else the value of
     `fallback` in the same block or in the card around it; with neither it is required, unless `optional`.
     """
 
@@ -53,6 +53,7 @@ class Parameter:
 
     @property
     def field(self) -> str:
+        """What the tag feeds."""
         return self.feeds or self.tag
 
     @property
@@ -112,7 +113,9 @@ class SlotSchema:
         return tuple(model.types[0] for model in self.models) + self.plain
 
     def model_named(self, name: str) -> ModelSchema | None:
+        """The model that a type name selects."""
         return next((model for model in self.models if name in model.types), None)
 
     def model_of(self, law: tuple) -> ModelSchema | None:
+        """The model whose law this is."""
         return next((model for model in self.models if model.law is type(law)), None)

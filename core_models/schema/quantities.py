@@ -8,7 +8,7 @@ CONSTANTS = (
     Parameter(
         "specific_heat", "J/(kg K)", POSITIVE, "constant specific heat", "specific_heat.value", optional=True
     ),
-    Parameter("room_temp", "K", NOT_NEGATIVE, "room temperature", "room_temperature", optional=True),
+    Parameter("room_temp", "K", POSITIVE, "room temperature", "room_temperature", optional=True),
     Parameter(
         "melt_temp", "K", POSITIVE, "melting temperature", "melting.melting_temperature", optional=True
     ),

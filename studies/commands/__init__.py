@@ -1,1 +1,1 @@
-"""The verbs of the command `matpoint`, one module each: add_options(parser) and execute(options) -> exit status."""
+"""The verbs of the command `matpoint`, one module each: add_options(parser), execute(options) -> status."""

@@ -13,7 +13,9 @@ from studies.options import positive
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Options of `matpoint bench`."""
     parser.add_argument("--threads", metavar="K", type=positive, default=1, help="threads (default: 1)")
-    parser.add_argument("--points", metavar="N", type=positive, default=100_000, help="points of the point updates")
+    parser.add_argument(
+        "--points", metavar="N", type=positive, default=100_000, help="points of the point updates"
+    )
 
 
 def execute(options: argparse.Namespace) -> int:

@@ -1,4 +1,4 @@
-"""List the material laws by slot, or explain one: equation, parameters with units and ranges, source, card tags.
+"""List the material laws by slot, or explain one: equation, parameters, units, ranges, source, card tags.
 
 examples:
   matpoint models

@@ -21,7 +21,7 @@ def execute(options: argparse.Namespace) -> int:
         scene = read_scene(name)
         print(f"{name}\n    {scene.description}")
         print(
-            f"    L0 {scene.bar.length * 1e3:g} mm, R0 {scene.bar.radius * 1e3:g} mm, {-scene.bar.velocity:g} m/s, "
-            f"wall {scene.wall}"
+            f"    L0 {scene.bar.length * 1e3:g} mm, R0 {scene.bar.radius * 1e3:g} mm, "
+            f"{-scene.bar.velocity:g} m/s, wall {scene.wall}"
         )
     return 0

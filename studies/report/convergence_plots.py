@@ -48,5 +48,11 @@ def _sequence(ax, name: str, method: str, comparison: Comparison) -> None:
     ax.plot(h, values, "o-", color=colour, markersize=4, linewidth=1.0, label=METHODS[method].label)
     if limit.uncertainty is not None:
         ax.errorbar(
-            [0.0], [limit.value * scale], [limit.uncertainty * scale], fmt="D", color=colour, markersize=4, capsize=4
+            [0.0],
+            [limit.value * scale],
+            [limit.uncertainty * scale],
+            fmt="D",
+            color=colour,
+            markersize=4,
+            capsize=4,
         )

@@ -47,7 +47,7 @@ STYLE = {
 
 @contextmanager
 def drawing(width: float, height: float, rows: int = 1, columns: int = 1, **layout) -> Iterator[tuple]:
-    """A figure of that many axes [inches] in the report's style; raises UnsupportedError without matplotlib."""
+    """A figure of width x height [inches] in the report's style; UnsupportedError without matplotlib."""
     try:
         import matplotlib
         from matplotlib.figure import Figure

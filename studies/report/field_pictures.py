@@ -13,13 +13,19 @@ FIELDS = {
     "damage": ("Johnson-Cook damage", "cividis"),
 }
 MILLIMETRES = 1e3
+WIDTH = 5.2  # inches, of the figure; SCALE: of half the picture's width
+SCALE = 1.95
 
 
 def field_pictures(comparison: Comparison) -> list[str]:
     """One picture per field that the finest runs have and that varies."""
     runs = comparison.finest
     shown = [name for name in FIELDS if all(name in run.final.fields for run in runs)]
-    return [_picture(name, runs, comparison.wall) for name in shown if _range(name, runs)[1] > _range(name, runs)[0]]
+    return [
+        _picture(name, runs, comparison.wall)
+        for name in shown
+        if _range(name, runs)[1] > _range(name, runs)[0]
+    ]
 
 
 def _range(name: str, runs: list[RunResult]) -> tuple[float, float]:
@@ -31,24 +37,40 @@ def _picture(name: str, runs: list[RunResult], wall: str) -> str:
     from matplotlib.collections import PolyCollection
 
     title, colours = FIELDS[name]
-    with drawing(6.2, 4.4) as (figure, axes):
+    half_width, top = _extent(runs)
+    with drawing(WIDTH, SCALE * top / half_width + 0.9) as (figure, axes):
         ax = axes[0, 0]
         lowest, highest = _range(name, runs)
-        left, right = runs[0], runs[-1]
-        for run, side in ((left, -1.0), (right, 1.0)):
-            polygons = run.final.domains * [side * MILLIMETRES, MILLIMETRES]
-            values = run.final.fields[name]
+        for run, side in ((runs[0], -1.0), (runs[-1], 1.0)):
             drawn = PolyCollection(
-                polygons, array=values, cmap=colours, clim=(lowest, highest), edgecolors="face", linewidths=0.2
+                run.final.domains * [side * MILLIMETRES, MILLIMETRES],
+                array=run.final.fields[name],
+                cmap=colours,
+                clim=(lowest, highest),
+                edgecolors="face",
+                linewidths=0.2,
+                rasterized=True,
             )
-            drawn.set_rasterized(True)
             ax.add_collection(drawn)
             _outline(ax, run, side)
             _name(ax, run, side)
-        _frame(ax, runs, f"{title}, wall {wall}")
+        ax.axvline(0.0, color=FAINT, linewidth=0.6)
+        ax.axhline(0.0, color=INK, linewidth=1.4)
+        ax.set(xlabel="r [mm]", ylabel="z [mm]", aspect="equal")
+        ax.set(xlim=(-half_width, half_width), ylim=(-0.03 * top, top))
+        ax.xaxis.set_major_formatter(lambda value, _: f"{abs(value):g}")
+        ax.grid(visible=False)
         bar = figure.colorbar(drawn, ax=ax, shrink=0.85, pad=0.02)
         bar.outline.set_visible(False)
+        figure.suptitle(f"{title}, wall {wall}", x=0.01, ha="left", fontsize=10.5, fontweight="bold")
         return as_svg(figure, name, f"{title} on both final shapes")
+
+
+def _extent(runs: list[RunResult]) -> tuple[float, float]:
+    """Half width and height of the picture [mm], with room for the names above the shapes."""
+    radius = max(run.final.outline["side"][:, 0].max() for run in runs) * MILLIMETRES
+    height = max(run.final.outline["rear"][:, 1].max() for run in runs) * MILLIMETRES
+    return max(1.1 * radius, 0.6 * height), 1.27 * height
 
 
 def _outline(ax, run: RunResult, side: float) -> None:
@@ -67,14 +89,3 @@ def _name(ax, run: RunResult, side: float) -> None:
         horizontalalignment="left" if side < 0.0 else "right",
         verticalalignment="top",
     )
-
-
-def _frame(ax, runs: list[RunResult], title: str) -> None:
-    radius = max(run.final.outline["side"][:, 0].max() for run in runs) * MILLIMETRES
-    top = max(run.final.outline["rear"][:, 1].max() for run in runs) * MILLIMETRES
-    ax.axvline(0.0, color=FAINT, linewidth=0.6)
-    ax.axhline(0.0, color=INK, linewidth=1.4)
-    ax.set(title=title, xlabel="r [mm]", ylabel="z [mm]", aspect="equal")
-    ax.set(xlim=(-1.12 * radius, 1.12 * radius), ylim=(-0.03 * top, 1.05 * top))
-    ax.xaxis.set_major_formatter(lambda value, _: f"{abs(value):g}")
-    ax.grid(visible=False)

@@ -5,7 +5,7 @@ from html import escape
 
 
 def table(head: Iterable[str], rows: Iterable[Iterable[str]], words: tuple[int, ...] = ()) -> str:
-    """A table with a header row; the first cell of a row is its header; columns in `words` hold running text."""
+    """A table; the first cell of a row is its header; columns in `words` hold running text."""
 
     def cell(tag: str, index: int, content: str) -> str:
         kind = ' class="words"' if index in words else ""
@@ -13,7 +13,9 @@ def table(head: Iterable[str], rows: Iterable[Iterable[str]], words: tuple[int, 
 
     top = "".join(cell("th", i, content) for i, content in enumerate(head))
     body = "".join(
-        "<tr>" + "".join(cell("th" if i == 0 else "td", i, content) for i, content in enumerate(row)) + "</tr>"
+        "<tr>"
+        + "".join(cell("th" if i == 0 else "td", i, content) for i, content in enumerate(row))
+        + "</tr>"
         for row in rows
     )
     return f'<div class="wide"><table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table></div>'
@@ -32,4 +34,8 @@ def section(title: str, *content: str) -> str:
 
 def items(kind: str, entries: Iterable[tuple[str, str]]) -> str:
     """A list of (class, text)."""
-    return f'<ul class="{kind}">' + "".join(f'<li class="{c}">{escape(text)}</li>' for c, text in entries) + "</ul>"
+    return (
+        f'<ul class="{kind}">'
+        + "".join(f'<li class="{c}">{escape(text)}</li>' for c, text in entries)
+        + "</ul>"
+    )

@@ -3,8 +3,8 @@
 from html import escape
 from importlib.resources import files
 
+from core_models.walls import MEANING
 from studies.comparison import Comparison
-from studies.effects import WALL_MEANING
 from studies.methods import METHODS
 from studies.quantity_names import LEADING
 from studies.report.convergence_plots import convergence_plots
@@ -16,6 +16,7 @@ from studies.report.page_tables import (
     effects_table,
     ledger_table,
     quantities_table,
+    quantity_notes,
     references_table,
 )
 from studies.report.profile_plots import profile_plot
@@ -53,23 +54,36 @@ def _head(comparison: Comparison) -> str:
 
 
 def _failures(comparison: Comparison) -> str:
-    told = "".join(f"<p><b>{escape(run.label)}</b>: {escape(str(run.failure))}</p>" for run in comparison.failed)
+    told = "".join(
+        f"<p><b>{escape(run.label)}</b>: {escape(str(run.failure))}</p>" for run in comparison.failed
+    )
     return f'<div class="warning"><b>Runs that went wrong</b>{told}</div>' if told else ""
 
 
 def _results(comparison: Comparison) -> list[str]:
     if not comparison.finest:
         return []
-    wall = f"Wall {comparison.wall}: {WALL_MEANING[comparison.wall]}."
+    wall = f"Wall {comparison.wall}: {MEANING[comparison.wall]}."
     pictures = "".join(f"<figure>{picture}</figure>" for picture in field_pictures(comparison))
     return [
         section("In short", _verdicts(comparison)),
-        section("Final shapes", f'<div class="pair">{pictures}</div>', f'<p class="note">{escape(_ends(comparison))}</p>'),
+        section(
+            "Final shapes",
+            f'<div class="pair">{pictures}</div>',
+            f'<p class="note">{escape(_ends(comparison))}</p>',
+        ),
         section(
             "Profiles",
-            figure(profile_plot(comparison), f"Edges of the deformed domains; coarser runs thin. {wall}"),
+            figure(
+                profile_plot(comparison),
+                f"Edges of the deformed domains, set on z = 0; coarser runs thin. {wall}",
+            ),
         ),
-        section("Quantities", quantities_table(comparison), f'<p class="note">{escape(_limits_note())}</p>'),
+        section(
+            "Quantities",
+            quantities_table(comparison),
+            f'<p class="note">{escape(_limits_note(comparison))}</p>',
+        ),
         section("Against values from elsewhere", references_table(comparison)),
         section(
             "Convergence",
@@ -87,8 +101,8 @@ def _accounts(comparison: Comparison) -> list[str]:
     energies = energy_plots(comparison) if comparison.finest else ""
     ledger = "Each dissipative term is integrated from its own power, none is the remainder."
     cost = (
-        "Total counts everything: mesh, compilation, steps, output; compilation is zero once the compiled kernels "
-        "are on disk. ns per point and step: stepping without compilation and output."
+        "Total counts everything: mesh, compilation, steps, output. Compilation is zero once the kernels are "
+        "on disk. ns per point and step: stepping without compilation and output."
     )
     return [
         section("Energy", figure(energies, ledger) if energies else "", ledger_table(comparison)),
@@ -99,7 +113,9 @@ def _accounts(comparison: Comparison) -> list[str]:
 
 def _verdicts(comparison: Comparison) -> str:
     kinds = {True: "agree", False: "apart", None: ""}
-    entries = [(kinds[each.agree], each.verdict) for each in comparison.differences if each.quantity in LEADING]
+    entries = [
+        (kinds[each.agree], each.verdict) for each in comparison.differences if each.quantity in LEADING
+    ]
     entries += [
         (
             "",
@@ -112,13 +128,18 @@ def _verdicts(comparison: Comparison) -> str:
 
 
 def _ends(comparison: Comparison) -> str:
-    return "; ".join(f"{METHODS[run.method].label} {run.resolution} ended at {run.ended}" for run in comparison.finest)
+    return "; ".join(
+        f"{METHODS[run.method].label} {run.resolution} ended at {run.ended}" for run in comparison.finest
+    )
 
 
-def _limits_note() -> str:
-    return (
-        "Limit: extrapolated to infinite resolution by least squares, f = f₀ + a hᵖ, with its uncertainty. "
-        "Heights count from the lowest point of the foot."
+def _limits_note(comparison: Comparison) -> str:
+    return " ".join(
+        [
+            "Limit: extrapolated to infinite resolution by least squares of f₀ + a hᵖ, with its uncertainty.",
+            "Heights count from the lowest point of the foot.",
+            *quantity_notes(comparison),
+        ]
     )
 
 

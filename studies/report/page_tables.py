@@ -14,7 +14,7 @@ from studies.run_result import RunResult
 def quantities_table(comparison: Comparison) -> str:
     """Every quantity: finest value and limit of each method, the difference."""
     finest = comparison.finest
-    head = ["Quantity", "unit"]
+    head = ["Quantity"]
     for run in finest:
         head += [_tag(run, f"{METHODS[run.method].label} {run.resolution}"), _tag(run, "limit")]
     apart = {difference.quantity: difference for difference in comparison.differences}
@@ -22,7 +22,7 @@ def quantities_table(comparison: Comparison) -> str:
         head += ["difference<br>of finest", "of limits"]
     rows = []
     for name, quantity in finest[0].quantities.items():
-        row = [_heading(name, finest), shown_unit(quantity.unit)]
+        row = [_heading(name, quantity.unit)]
         for run in finest:
             limit = comparison.limits[run.method].get(name)
             row.append(shown(run.quantities[name].value, quantity.unit))
@@ -60,7 +60,17 @@ def references_table(comparison: Comparison) -> str:
 
 def cost_table(comparison: Comparison) -> str:
     """What every run cost."""
-    head = ["Run", "points", "steps", "total s", "compile s", "stepping s", "processor s", "ns / point / step", "MiB"]
+    head = [
+        "Run",
+        "points",
+        "steps",
+        "total s",
+        "compile s",
+        "stepping s",
+        "processor s",
+        "ns / point / step",
+        "MiB",
+    ]
     rows = []
     for run in comparison.runs:
         cost = run.cost
@@ -82,7 +92,14 @@ def cost_table(comparison: Comparison) -> str:
 
 def ledger_table(comparison: Comparison) -> str:
     """Where the energy went in every completed run, and how well mass, momentum and energy close."""
-    head = ["Run", *(f"{name} J" for name in ENERGIES), "initial J", "energy error", "momentum error", "mass error"]
+    head = [
+        "Run",
+        *(f"{name} J" for name in ENERGIES),
+        "initial J",
+        "energy error",
+        "momentum error",
+        "mass error",
+    ]
     rows = [
         [
             _tag(run, run.label),
@@ -106,15 +123,23 @@ def effects_table(comparison: Comparison) -> str:
     )
 
 
-def _heading(name: str, finest: list[RunResult]) -> str:
-    amplitude = finest[0].quantities[name].more.get("amplitude")
-    note = finest[0].quantities[name].note
-    if amplitude is not None:
-        note += "; swings by " + ", ".join(
-            f"±{with_unit(run.quantities[name].more['amplitude'], 'm', 2)} ({METHODS[run.method].label})"
-            for run in finest
-        )
-    return shown_name(name) + (f'<br><span class="note">{escape(note)}</span>' if note else "")
+def quantity_notes(comparison: Comparison) -> list[str]:
+    """How the final length was taken, how far it swings, and why a quantity is missing."""
+    finest = comparison.finest
+    told = [f"Final length: {finest[0].quantities['final_length'].note}"]
+    for run in finest:
+        amplitude = run.quantities["final_length"].more.get("amplitude")
+        if amplitude is not None:
+            told.append(f"{METHODS[run.method].label} swings by ±{with_unit(amplitude, 'm', 2)} in it")
+    missing = [
+        (name, quantity.note) for name, quantity in finest[0].quantities.items() if quantity.value is None
+    ]
+    return ["; ".join(told) + "."] + [f"{shown_name(name).capitalize()}: {note}." for name, note in missing]
+
+
+def _heading(name: str, unit: str) -> str:
+    shown = shown_unit(unit)
+    return shown_name(name) + (f' <span class="note">{shown}</span>' if shown else "")
 
 
 def _limit(limit, unit: str) -> str:
@@ -123,7 +148,11 @@ def _limit(limit, unit: str) -> str:
 
 def _nanoseconds(run: RunResult) -> str:
     stepping = run.cost.stepping_s - run.cost.compile_s
-    return number(1e9 * stepping / run.cost.point_updates, 3) if run.cost.point_updates and stepping > 0.0 else "–"
+    return (
+        number(1e9 * stepping / run.cost.point_updates, 3)
+        if run.cost.point_updates and stepping > 0.0
+        else "–"
+    )
 
 
 def _tag(run: RunResult, text: str) -> str:

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from studies.bar_shape import standing
 from studies.comparison import Comparison
 from studies.curves import read_curve
 from studies.methods import METHODS
@@ -21,8 +22,8 @@ def profile_plot(comparison: Comparison) -> str:
             ax.set(xlabel="r [mm]", ylabel="z [mm]", aspect="equal")
         whole.set_title(f"Half profiles, wall {comparison.wall}")
         whole.set_xlim(left=0.0)
-        whole.legend(loc="upper right")
         _enlarge(rim, comparison)
+        rim.legend(loc="upper right")
         return as_svg(figure, "profiles", "Final half profiles of all runs")
 
 
@@ -38,7 +39,8 @@ def _draw(ax, comparison: Comparison) -> None:
 
 
 def _line(ax, run, **style) -> None:
-    line = np.concatenate([run.final.outline[part] for part in ("foot", "side", "rear")]) * MILLIMETRES
+    outline = standing(run.final.outline)
+    line = np.concatenate([outline[part] for part in ("foot", "side", "rear")]) * MILLIMETRES
     ax.plot(*line.T, color=METHOD_COLOURS[run.method], linestyle=STYLES[run.method], **style)
 
 

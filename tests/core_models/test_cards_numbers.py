@@ -10,6 +10,7 @@ from core_models.errors import CardError
 
 
 def number(text):
+    """The number that an element with this text holds."""
     element = etree.Element("A")
     element.text = text
     return read_number(element)
@@ -34,8 +35,10 @@ def test_decimal_numbers_are_read(text, value):
 
 @pytest.mark.parametrize(
     "text",
-    ["", ".", "1.3-11", "nan", "NaN", "inf", "-inf", "Infinity", "0x10", "1_000", "1,5", "1.0d5", "1 2", "1e"]
-    + ["--1", "1e400", "٣", "1e5.0", "e5", "ten", "1/2"],
+    [
+        *("", ".", "1.3-11", "nan", "NaN", "inf", "-inf", "Infinity", "0x10", "1_000", "1,5", "1.0d5", "1 2"),
+        *("1e", "--1", "1e400", "٣", "1e5.0", "e5", "ten", "1/2"),
+    ],
 )
 def test_anything_else_is_refused(text):
     """nan, inf, hexadecimal, underscores, foreign digits, overflow and slips of the pen are no numbers."""
@@ -45,7 +48,7 @@ def test_anything_else_is_refused(text):
 
 def test_missing_exponent_mark_is_noticed():
     """The slip of a published deck is named with its likely meaning."""
-    with pytest.raises(CardError, match="'1.3-11', which is no number; did you mean 1.3e-11?"):
+    with pytest.raises(CardError, match=r"'1\.3-11', which is no number; did you mean 1\.3e-11\?"):
         number("1.3-11")
 
 

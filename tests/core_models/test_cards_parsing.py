@@ -12,6 +12,7 @@ BOMB = f'<!DOCTYPE material [<!ENTITY e0 "ha">{ENTITIES}]>'
 
 
 def refused(path):
+    """The message of the error that loading a document raises."""
     with pytest.raises(CardError) as caught:
         load_document(path)
     message = str(caught.value)

@@ -89,8 +89,8 @@ def test_finest_bar_in_use_takes_less_than_a_second():
     assert time.process_time() - start < 1.0
 
 
-def test_gmsh_session_of_the_caller_is_kept():
-    """An open gmsh session keeps its models, current model and options; no signal handler changes."""
+def test_gmsh_models_of_the_caller_are_kept():
+    """A gmsh that is open already keeps its models, current model and options; no signal handler changes."""
     import gmsh
 
     handler = signal.getsignal(signal.SIGINT)
@@ -128,6 +128,8 @@ def test_meshing_prints_nothing():
         ({"elements_along": 0}, "elements_along"),
         ({"elements_across": 2.5}, "elements_across"),
         ({"grading": 0.0}, "grading"),
+        ({"grading": 101.0}, "grading"),
+        ({"grading": math.nan}, "grading"),
         ({"foot_height": math.inf}, "foot_height"),
     ],
 )

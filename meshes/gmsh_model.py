@@ -1,4 +1,4 @@
-"""gmsh as a guest: a model of our own that leaves no trace in the terminal or in the caller's session."""
+"""gmsh as a guest: a model of our own that leaves no trace in the terminal or in the caller's own models."""
 
 import threading
 from collections.abc import Iterator
@@ -17,11 +17,11 @@ _INSTALL = "apt-get install libglu1-mesa libgl1 libgomp1 libxft2 libxcursor1 lib
 def gmsh_model(name: str) -> Iterator[ModuleType]:
     """Give gmsh with a new, empty, current model; afterwards everything is as it was before.
 
-    Works from any thread, touches no signal handler, prints nothing, and keeps a session the caller has open.
+    Works from any thread, touches no signal handler, prints nothing, and keeps what the caller has open.
     Raises MeshError when gmsh cannot be loaded.
     """
     gmsh = _load_gmsh()
-    with _ONE_AT_A_TIME, _session(gmsh):
+    with _ONE_AT_A_TIME, _opened(gmsh):
         gmsh.model.add(name)
         try:
             yield gmsh
@@ -39,7 +39,7 @@ def _load_gmsh() -> ModuleType:
 
 
 @contextmanager
-def _session(gmsh: ModuleType) -> Iterator[None]:
+def _opened(gmsh: ModuleType) -> Iterator[None]:
     """Open gmsh and close it again; where it is open already, restore its current model and option."""
     if not gmsh.isInitialized():
         gmsh.initialize([], readConfigFiles=False, interruptible=False)

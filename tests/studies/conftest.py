@@ -1,11 +1,13 @@
-"""A solver that only pretends: a block of two points that shortens, widens, stops and bounces off."""
+"""A solver that only pretends, in place of the real ones: two points that shorten, widen, stop and bounce off."""
 
 from types import SimpleNamespace
 
 import numpy as np
+import pytest
 
 from core_models.errors import RunFailure
 from core_models.points import Field
+from studies.scene_reader import read_scene
 
 LENGTH, RADIUS, SPEED, DURATION = 32.4e-3, 3.2e-3, 227.0, 60e-6
 
@@ -13,7 +15,7 @@ LENGTH, RADIUS, SPEED, DURATION = 32.4e-3, 3.2e-3, 227.0, 60e-6
 class FakeSolver:
     """Uniform shortening until DURATION, then free flight upwards; `error` sets its distance from the limit."""
 
-    initial_momentum, initial_mass, mass, threads, time_step = -2.0, 0.009, 0.009, 1, 1e-6
+    initial_momentum, mass, threads, time_step = -2.0, 0.009, 1, 1e-6
 
     def __init__(self, error: float = 0.0, wall: str = "unilateral", fails_at: float = np.inf) -> None:
         self.time, self.step_count, self.point_updates = 0.0, 0, 0
@@ -22,31 +24,40 @@ class FakeSolver:
 
     @property
     def progress(self) -> float:
+        """Share of the impact that is over."""
         return min(self.time / DURATION, 1.0)
 
     @property
     def in_contact(self) -> bool:
+        """Whether the wall pushes."""
         return self._wall == "plane" or 0.0 < self.time <= DURATION
 
     @property
     def momentum(self) -> float:
+        """Axial momentum."""
         return -2.0 + 2.5 * self.progress
 
     @property
     def wall_impulse(self) -> float:
+        """Impulse of the wall so far."""
         return self.momentum + 2.0
 
     @property
     def wall_force(self) -> float:
+        """Force of the wall."""
         return 2.5 / DURATION if self.in_contact else 0.0
 
     @property
     def ledger(self) -> SimpleNamespace:
+        """Energies."""
         plastic = 200.0 * self.progress
         parts = {"strain": 1.0, "viscosity": 2.0, "transfer": 0.0, "contact": 0.0}
-        return SimpleNamespace(kinetic=237.0 - plastic, plastic=plastic, **parts, initial=240.0, relative_error=1e-3)
+        return SimpleNamespace(
+            kinetic=237.0 - plastic, plastic=plastic, **parts, initial=240.0, relative_error=1e-3
+        )
 
     def advance(self) -> None:
+        """One step."""
         self.time += self.time_step
         self.step_count += 1
         self.point_updates += 2
@@ -54,6 +65,7 @@ class FakeSolver:
             raise RunFailure(f"step {self.step_count}, t = {self.time:.3e} s, point 1: not finite (law Fake)")
 
     def outline(self) -> dict[str, np.ndarray]:
+        """A straight cylinder."""
         z = 0.0 if self._wall == "plane" else 50.0 * max(self.time - DURATION, 0.0)
         r, top = self._size()
         return {
@@ -63,6 +75,7 @@ class FakeSolver:
         }
 
     def domains(self) -> np.ndarray:
+        """Two halves."""
         r, top = self._size()
         lower = np.array([[0.0, 0.0], [r, 0.0], [r, top / 2], [0.0, top / 2]])
         return np.array([lower, lower + [0.0, top / 2]])
@@ -78,3 +91,20 @@ class FakeSolver:
             "equivalent_plastic_strain": Field("equivalent_plastic_strain", "1", (), strain),
             "stress": Field("stress", "Pa", (6,), stress),
         }
+
+
+@pytest.fixture
+def fake_solvers(monkeypatch):
+    """All methods run the pretended solver: FEM from one side, MPM from the other; resolution 13 goes wrong."""
+
+    def build(scene, method, resolution, wall, threads):
+        fails_at = 30e-6 if resolution == 13 else np.inf
+        return FakeSolver((1.0 if method == "mpm" else -0.5) / resolution, wall, fails_at)
+
+    monkeypatch.setattr("studies.running.build_solver", build)
+
+
+@pytest.fixture
+def classic():
+    """The shipped classic scene."""
+    return read_scene("taylor-classic")

@@ -1,0 +1,7 @@
+"""Material point method: explicit dynamics on a background grid."""
+
+from mpm.solver import Solver
+
+DISTRIBUTION = "matpoint"
+
+__all__ = ["Solver"]

@@ -1,0 +1,139 @@
+"""The command: verbs, options, exit statuses, one-line errors."""
+
+import json
+import subprocess
+import sys
+import time
+
+import pytest
+
+from studies.command_line import VERBS, main
+
+
+def said(capsys):
+    """What was printed, and the error line."""
+    captured = capsys.readouterr()
+    return captured.out, captured.err
+
+
+@pytest.mark.parametrize("verb", VERBS)
+def test_every_verb_has_help_with_an_example(verb, capsys):
+    """`matpoint VERB --help` explains itself and shows how it is typed."""
+    with pytest.raises(SystemExit) as ended:
+        main([verb, "--help"])
+    out, _ = said(capsys)
+    assert ended.value.code == 0
+    assert f"matpoint {verb}" in out and "example" in out
+
+
+def test_help_is_quick():
+    """`matpoint --help` imports no compiler."""
+    code = """
+import sys
+from studies.command_line import main
+try:
+    main(["--help"])
+except SystemExit:
+    assert "numba" not in sys.modules and "matplotlib" not in sys.modules
+"""
+    began = time.perf_counter()
+    subprocess.run([sys.executable, "-c", code], check=True, capture_output=True)
+    assert time.perf_counter() - began < 3.0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["run", "taylor-clasic"], "taylor-classic"),
+        (["run", "taylor-classic", "--wal", "plane"], "--wall"),
+        (["run", "taylor-classic", "--method", "mpn"], "mpm"),
+        (["run", "taylor-classic", "--wall", "plan"], "plane"),
+        (["run", "taylor-classic", "--resolution", "x"], "whole numbers"),
+        (["run", "taylor-classic", "--resolution", "0"], "cell"),
+        (["run", "taylor-classic", "--resolution", "8,12"], "matpoint compare"),
+        (["run", "taylor-classic", "--threads", "0"], "1 or more"),
+        (["compare", "no.xml"], "no such file"),
+        (["models", "jonson_cook"], "johnson_cook"),
+        (["rum"], "run"),
+        ([], "COMMAND"),
+    ],
+)
+def test_bad_input_is_one_line_with_a_remedy_and_status_2(arguments, told, capsys, tmp_path, monkeypatch):
+    """Nothing is written, nothing is traced back."""
+    monkeypatch.chdir(tmp_path)
+    assert main(arguments) == 2
+    out, err = said(capsys)
+    assert out == "" and err.count("\n") == 1 and told in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_run_prints_its_table_and_folder(fake_solvers, capsys, tmp_path):
+    """Quantities, cost, folder; exit status 0."""
+    assert main(["run", "taylor-classic", "--method", "mpm", "--out", str(tmp_path / "out")]) == 0
+    out, err = said(capsys)
+    assert "final length" in out and out.rstrip().endswith(str(tmp_path / "out")) and err == ""
+
+
+def test_compare_prints_its_table_and_ends_with_the_report(fake_solvers, capsys, tmp_path):
+    """The last line is the path of report.html."""
+    arguments = ["compare", "taylor-classic", "--resolution", "8,12", "--out", str(tmp_path / "out")]
+    assert main(arguments) == 0
+    out, _ = said(capsys)
+    assert out.splitlines()[-1] == str(tmp_path / "out" / "report.html")
+
+
+def test_a_run_that_goes_wrong_ends_with_status_3(fake_solvers, capsys, tmp_path):
+    """run and compare say step, time, point and law."""
+    assert main(["run", "taylor-classic", "--resolution", "13", "--out", str(tmp_path / "a")]) == 3
+    assert "point 1" in said(capsys)[1]
+    assert main(["compare", "taylor-classic", "--resolution", "8,13", "--out", str(tmp_path / "b")]) == 3
+    assert "point 1" in said(capsys)[0]
+    statuses = [run["status"] for run in json.loads((tmp_path / "b/results.json").read_text())["runs"]]
+    assert statuses.count("failed") == 2
+
+
+def test_ctrl_c_is_clean(capsys, monkeypatch):
+    """An interrupt ends with status 130 and one line."""
+
+    def interrupt(options):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("studies.commands.scenes.execute", interrupt)
+    assert main(["scenes"]) == 130
+    assert said(capsys)[1].count("\n") == 1
+
+
+def test_scenes_are_listed(capsys):
+    """Every shipped scene with its description."""
+    assert main(["scenes"]) == 0
+    out, _ = said(capsys)
+    assert "taylor-copper-mts" in out and "208 m/s" in out
+
+
+def test_models_are_listed_and_explained(capsys):
+    """A law's explanation has equation, units and card tags."""
+    assert main(["models"]) == 0
+    assert "johnson_cook" in said(capsys)[0]
+    assert main(["models", "mts_model"]) == 0
+    out, _ = said(capsys)
+    assert "MechanicalThreshold" in out and "[Pa]" in out and "<mu_0>" in out
+
+
+def test_check_says_what_would_be_simulated_and_writes_nothing(capsys, tmp_path, monkeypatch):
+    """Effects on and off with reasons, material, mesh, estimated steps."""
+    monkeypatch.chdir(tmp_path)
+    assert main(["check", "taylor-copper-jc", "--resolution", "8"]) == 0
+    out, _ = said(capsys)
+    assert all(told in out for told in ("JohnsonCook", "wall friction", "frictionless", "mpm 8", "<burn>"))
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_package_that_shadows_ours_is_named(monkeypatch, capsys, tmp_path):
+    """The command says which package is not ours, instead of failing somewhere inside."""
+    stranger = tmp_path / "fem"
+    stranger.mkdir()
+    (stranger / "__init__.py").write_text("")
+    monkeypatch.delitem(sys.modules, "fem", raising=False)
+    monkeypatch.syspath_prepend(tmp_path)
+    assert main(["scenes"]) == 2
+    assert f"{stranger}" in said(capsys)[1]

@@ -1,0 +1,88 @@
+"""Comparisons: results.json, verdicts, report."""
+
+import json
+import re
+
+import pytest
+
+from studies.comparing import compare
+from studies.quantity_names import QUANTITIES
+
+
+@pytest.fixture
+def results(fake_solvers, classic, tmp_path):
+    """A comparison of three resolutions of both methods under the plane wall, and its folder."""
+    comparison = compare(classic, resolutions=(8, 12, 16), wall="plane", out=tmp_path / "out")
+    return comparison, tmp_path / "out"
+
+
+def test_results_json_holds_every_run_with_the_required_entries(results):
+    """A list `runs` with method, resolution, wall, status, quantities, cost, conservation, effects."""
+    content = json.loads((results[1] / "results.json").read_text(), parse_constant=pytest.fail)
+    labels = [(run["method"], run["resolution"]) for run in content["runs"]]
+    assert labels == [(method, n) for method in ("fem-explicit", "mpm") for n in (8, 12, 16)]
+    for run in content["runs"]:
+        assert (run["status"], run["wall"]) == ("complete", "plane")
+        assert tuple(run["quantities"]) == QUANTITIES
+        assert all({"value", "unit"} <= set(quantity) for quantity in run["quantities"].values())
+        assert {"cost", "conservation", "effects"} <= set(run)
+
+
+def test_methods_that_close_on_one_limit_agree(results):
+    """The pretended methods come from two sides to one limit: the verdict says so."""
+    verdicts = {each.quantity: each for each in results[0].differences}
+    assert verdicts["final_length"].agree
+    assert "agree within their uncertainty" in verdicts["final_length"].verdict
+    assert abs(verdicts["final_length"].finest) > abs(verdicts["final_length"].limit)
+
+
+def test_references_are_held_against_their_wall_only(results, fake_solvers, classic):
+    """The published values hold for the plane wall; under the other wall they are not used."""
+    assert {check.reference.quantity for check in results[0].references} == {"final_length", "foot_radius"}
+    assert compare(classic, resolutions=(8,), wall="unilateral").references == []
+
+
+def test_a_run_that_goes_wrong_does_not_stop_the_others(fake_solvers, classic, tmp_path):
+    """It is recorded with status and message, and the rest is compared."""
+    comparison = compare(classic, resolutions=(8, 13, 16), out=tmp_path / "out")
+    content = json.loads((tmp_path / "out/results.json").read_text())
+    failed = [run for run in content["runs"] if run["status"] == "failed"]
+    assert [run["resolution"] for run in failed] == [13, 13]
+    assert all("point 1" in run["message"] for run in failed)
+    assert len(comparison.differences) > 0
+    assert "point 1" in (tmp_path / "out/report.html").read_text()
+
+
+def test_a_comparison_of_failures_only_still_reports(fake_solvers, classic, tmp_path):
+    """With no completed run there is a results.json and a report that says why."""
+    comparison = compare(classic, resolutions=(13,), out=tmp_path / "out")
+    assert len(comparison.failed) == 2
+    assert (tmp_path / "out/report.html").exists()
+
+
+def test_one_method_alone_can_be_compared_with_references(fake_solvers, classic, tmp_path):
+    """Without a second method there are no differences, but limits and references."""
+    comparison = compare(classic, ("mpm",), (8, 12, 16), wall="plane", out=tmp_path / "out")
+    assert comparison.differences == []
+    assert comparison.limits["mpm"]["final_length"].uncertainty > 0.0
+    assert (tmp_path / "out/report.html").exists()
+
+
+def test_the_report_needs_nothing_from_outside(results):
+    """One page without scripts, links, or anything fetched; every figure states its wall."""
+    page = (results[1] / "report.html").read_text()
+    outside = re.findall(r'(?:src|href)="(?!data:|#)[^"]*"', page)
+    assert outside == []
+    assert "<script" not in page and "@import" not in page
+    figures = re.findall(r"<figure>.*?</figure>", page, flags=re.S)
+    assert len(figures) >= 5
+    assert all("plane" in figure for figure in figures)
+
+
+def test_without_matplotlib_there_are_results_and_a_notice(fake_solvers, classic, tmp_path, monkeypatch):
+    """The report extra is optional: results.json is written and one line says what to install."""
+    monkeypatch.setitem(__import__("sys").modules, "matplotlib", None)
+    comparison = compare(classic, resolutions=(8,), out=tmp_path / "out")
+    assert "matpoint[report]" in comparison.notice
+    assert (tmp_path / "out/results.json").exists()
+    assert not (tmp_path / "out/report.html").exists()
