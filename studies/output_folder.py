@@ -5,7 +5,7 @@ import shutil
 from pathlib import Path
 
 from core_models.errors import OutputError
-from meshes.atomic import replacing
+from core_models.atomic import replacing
 
 LOCK = ".lock"
 
@@ -20,6 +20,7 @@ class OutputFolder:
     def __init__(self, path: Path | str) -> None:
         self.path = Path(path)
         check_unused(self.path)
+        self._made = [folder for folder in (self.path, *self.path.parents) if not folder.exists()]
         try:
             self.path.mkdir(parents=True, exist_ok=True)
             self._lock = open(self.path / LOCK, "a")  # noqa: SIM115 - held open as long as the folder is ours
@@ -58,11 +59,13 @@ class OutputFolder:
         return OutputFolder(self.path / name)
 
     def release(self) -> None:
-        """Give the folder up: remove the lock; an empty folder is removed as well."""
+        """Give the folder up: remove the lock, and the folders made for it that stayed empty."""
         (self.path / LOCK).unlink(missing_ok=True)
         self._lock.close()
-        if not any(self.path.iterdir()):
-            self.path.rmdir()
+        for folder in self._made:
+            if any(folder.iterdir()):
+                break
+            folder.rmdir()
 
     def __enter__(self) -> "OutputFolder":
         return self

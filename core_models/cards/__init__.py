@@ -1,6 +1,5 @@
 """Material cards: XML in and out."""
 
-from core_models.cards.atomic import write_atomically
 from core_models.cards.blocks import check_attributes, named_children
 from core_models.cards.bodies import Cylinder
 from core_models.cards.includes import load_document
@@ -26,6 +25,5 @@ __all__ = [
     "read_number",
     "refusal",
     "shipped_materials",
-    "write_atomically",
     "write_material",
 ]

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from lxml import etree
 
-from core_models.cards.atomic import write_atomically
+from core_models.atomic import replacing
 from core_models.cards.reader import parse_material
 from core_models.errors import MaterialError, MatpointError
 from core_models.material import Material
@@ -31,7 +31,8 @@ def write_material(material: Material, path: str | Path) -> None:
     OutputError : the file cannot be written; nothing is left half-written.
     """
     element = material_element(material)
-    write_atomically(path, etree.tostring(element, xml_declaration=True, encoding="UTF-8", pretty_print=True))
+    with replacing(path) as temporary:
+        temporary.write_bytes(etree.tostring(element, xml_declaration=True, encoding="UTF-8", pretty_print=True))
 
 
 def material_element(material: Material) -> etree._Element:
