@@ -23,7 +23,9 @@ def replacing(path: Path | str) -> Iterator[Path]:
         os.replace(temporary, path)
         _flush(path.parent)
     except OSError as error:
-        raise OutputError(f"{path}: cannot be written ({error.strerror or error}); name a file in a writable folder") from error
+        raise OutputError(
+            f"{path}: cannot be written ({error.strerror or error}); name a file in a writable folder"
+        ) from error
     finally:
         temporary.unlink(missing_ok=True)
 

@@ -32,7 +32,9 @@ def _(viscosity, density, length, wave_speed, volume_rate):
     if volume_rate >= 0.0:
         return 0.0
     speed = -volume_rate * length
-    return density * speed * (viscosity.linear * wave_speed + viscosity.quadratic * viscosity.quadratic * speed)
+    return (
+        density * speed * (viscosity.linear * wave_speed + viscosity.quadratic * viscosity.quadratic * speed)
+    )
 
 
 @viscous_pressure.register(type(None))
@@ -50,7 +52,10 @@ def damped_step_factor(viscosity, relative_pressure):
 
 @damped_step_factor.register(BulkViscosity)
 def _(viscosity, relative_pressure):
-    square = viscosity.linear * viscosity.linear + 4.0 * viscosity.quadratic * viscosity.quadratic * relative_pressure
+    square = (
+        viscosity.linear * viscosity.linear
+        + 4.0 * viscosity.quadratic * viscosity.quadratic * relative_pressure
+    )
     ratio = 0.5 * (viscosity.linear + math.sqrt(square))
     return math.sqrt(1.0 + ratio * ratio) - ratio
 

@@ -29,12 +29,16 @@ _per_material_kernels: list = []
 
 def inside_kernel(function: Callable) -> Callable:
     """Declare a function that kernels call; in plain Python it stays what it is."""
-    return register_jitable(error_model="numpy", boundscheck=False)(function)
+    return register_jitable(error_model="numpy", boundscheck=False, forceinline=True)(function)
 
 
 def kernel(function: Callable) -> Callable:
-    """Compile a range kernel: cached on disk, releases the interpreter lock, IEEE arithmetic without fast-math."""
-    return njit(cache=True, nogil=True, error_model="numpy", boundscheck=False)(function)
+    """Compile a range kernel: cached on disk, releases the interpreter lock, IEEE arithmetic without fast-math.
+
+    Kernels own no memory, so Numba's reference counts are switched off: their atomic increments took a third of the
+    time of a point update.
+    """
+    return njit(cache=True, nogil=True, error_model="numpy", boundscheck=False, _nrt=False)(function)
 
 
 def material_kernel(function: Callable) -> Callable:

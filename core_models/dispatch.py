@@ -52,7 +52,9 @@ def generic(stub: Callable) -> Callable:
         fallback.append(implementation)
         return implementation
 
-    overload(call, strict=False, jit_options={"error_model": "numpy", "boundscheck": False})(resolve)
+    overload(
+        call, strict=False, jit_options={"error_model": "numpy", "boundscheck": False, "forceinline": True}
+    )(resolve)
     call.register = register
     call.otherwise = otherwise
     call.implementations = implementations

@@ -44,18 +44,18 @@ def _(flow, hardening_variable, strain_increment, plastic_rate, temperature):
 
 @generic
 def return_to_surface(
-    yield_condition, flow, trial, shear_3, stress_before, plastic_strain, hardening_variable, dt, temperature,
+    yield_condition, flow, trial, shear_3, stress_before, plastic_strain, hardening_variable, over_dt, temperature,
     tolerance,
 ):  # fmt: skip
-    """Return a trial deviator to the yield surface.
+    """Return an equivalent trial stress to the yield surface.
 
     Parameters
     ----------
-    trial : deviatoric trial stress (six components) [Pa].
+    trial : equivalent trial stress [Pa].
     shear_3 : three times the shear modulus that the return works against [Pa].
     stress_before : equivalent stress before the step [Pa], for a first guess.
     plastic_strain, hardening_variable, temperature : state before the step.
-    dt : [s]. tolerance : relative, of the consistency condition.
+    over_dt : 1 / dt [1/s]. tolerance : relative, of the consistency condition.
 
     Returns
     -------
@@ -133,16 +133,31 @@ def _(erosion, damage, deviator, mean_stress):
 
 
 @generic
-def advance_point(update, material, viscosity, f0, f1, dt, length, point):
-    """Advance one point by one step.
+def predict(update, material, f0, f1, point):
+    """First part of a step at one point: kinematics and the elastic trial.
 
     Parameters
     ----------
-    update : the stress update. material : `Model` (laws by slot). viscosity : bulk viscosity or None.
-    f0, f1 : deformation gradient before and after the step. dt : [s]. length : characteristic length [m].
-    point : `PointState` before the step.
+    update : the stress update. material : `Model` (laws by slot).
+    f0, f1 : deformation gradient before and after the step. point : `PointState` before the step.
 
     Returns
     -------
-    (status, `PointState` after the step, `Balance`)
+    (status, `Prediction`, rotation, left stretch) - the last two as far as the update has them
     """
+
+
+@generic
+def complete(update, material, prediction, correction, point):
+    """Last part of a step at one point: what the return to the yield surface makes of the prediction.
+
+    Returns
+    -------
+    (deviatoric stress in the update's measure, its work [J/m^3 of reference volume], isochoric elastic left
+    Cauchy-Green tensor as far as the update has it)
+    """
+
+
+@generic
+def stress_measure(update, volume_ratio):
+    """Reference volumes per unit of volume of the update's stress measure: 1 for Kirchhoff, J for Cauchy."""

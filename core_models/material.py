@@ -116,7 +116,9 @@ def check_slots(material: Material) -> None:
                 f"{material.name}: the slot {field.name} takes no law yet ({type(value).__name__} given): leave it out"
             )
         if field.name in SLOTS and type(value) not in SLOTS[field.name].implementations and value is not None:
-            known = ", ".join(sorted(c.__name__ for c in SLOTS[field.name].implementations if c is not type(None)))
+            known = ", ".join(
+                sorted(c.__name__ for c in SLOTS[field.name].implementations if c is not type(None))
+            )
             raise MaterialError(
                 f"{material.name}: {type(value).__name__} is no law for the slot {field.name}: use one of {known}"
             )
@@ -138,7 +140,10 @@ def _complaints(m: Material):
     bulk, shear = elastic_moduli(m.elasticity)
     melting = melting_temperature(m.melting)
     yield (not m.density > 0.0, f"density must be positive, not {m.density!r} kg/m^3")
-    yield (not (bulk > 0.0 and shear > 0.0), f"bulk and shear modulus must be positive, not {bulk!r} and {shear!r} Pa")
+    yield (
+        not (bulk > 0.0 and shear > 0.0),
+        f"bulk and shear modulus must be positive, not {bulk!r} and {shear!r} Pa",
+    )
     yield (
         isinstance(m.update, HyperelasticPlastic) and isinstance(m.eos, DefaultHypoelastic),
         "the hyperelastic update needs a stored energy, which default_hypo has not: take neo_hookean or mie_gruneisen",
@@ -201,7 +206,10 @@ def _effects(m: Material) -> list[Effect]:
         Effect(
             "equation of state with energy",
             m.uses("uses_energy"),
-            _why(m.eos if m.uses("uses_energy") else None, f"{type(m.eos).__name__} does not depend on the energy"),
+            _why(
+                m.eos if m.uses("uses_energy") else None,
+                f"{type(m.eos).__name__} does not depend on the energy",
+            ),
         ),
         Effect(
             "plastic heating",

@@ -7,7 +7,7 @@ import numpy as np
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.compilation import CHUNK
 from core_models.errors import RunFailure
-from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points
+from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points, make_workspace
 from core_models.laws import elastic_moduli, pressure
 from core_models.material import Material
 from core_models.state import State
@@ -93,6 +93,7 @@ class MaterialPoints:
         self.lengths = None if viscosity is None else np.zeros(self.n)
         self.wave_speed = np.full(self.n, initial_wave_speed(material))
         chunks = -(-self.n // CHUNK)
+        self._workspaces = [make_workspace() for _thread in range(self.threads.count)]
         self._sums = np.zeros((chunks, 5))
         self._failures = np.zeros((chunks, 2), dtype=np.int64)
 
@@ -101,8 +102,8 @@ class MaterialPoints:
 
         Raises PointFailure naming the first point that cannot follow.
         """
-        self.threads.run(
-            advance_points, len(self._sums), self.model, self.viscosity, self.old_deformation_gradient,
+        self.threads.run_with(
+            advance_points, len(self._sums), self._workspaces, self.model, self.viscosity, self.old_deformation_gradient,
             self.deformation_gradient, dt, self.reference_volumes, self.lengths, self.old, self.new, self.wave_speed,
             self.viscous_pressure, self._sums, self._failures,
         )  # fmt: skip
@@ -131,7 +132,9 @@ class MaterialPoints:
     def fields(self) -> dict[str, Field]:
         """All quantities of the accepted state by name, with unit and shape."""
         arrays = {"deformation_gradient": ("1", self.old_deformation_gradient)}
-        arrays |= {name: (UNITS[name], array) for name, array in self.old._asdict().items() if array is not None}
+        arrays |= {
+            name: (UNITS[name], array) for name, array in self.old._asdict().items() if array is not None
+        }
         if self.viscous_pressure is not None:
             arrays["viscous_pressure"] = ("Pa", self.viscous_pressure)
         return {name: Field(name, unit, array.shape[1:], array) for name, (unit, array) in arrays.items()}

@@ -14,10 +14,12 @@ import math
 from core_models.compilation import inside_kernel
 from core_models.tensors import (
     determinant,
+    IDENTITY,
     inverse,
     product,
     product_transposed,
     symmetric_inverse,
+    symmetric_part,
 )
 
 SYMMETRY_TOLERANCE = 1e-13  # of |A - A^T| relative to tr V; round-off of A itself is some 1e-16
@@ -114,16 +116,19 @@ def rotation_increment(f, rotation):
     a = product_transposed(f, rotation)
     if a[2] == 0.0 and a[5] == 0.0 and a[6] == 0.0 and a[7] == 0.0:
         return planar_increment(a)
-    q = polar_rotation(a) if turns_far(a) else symmetrising_rotation(
-        asymmetry_solver(a), a[7] - a[5], a[2] - a[6], a[3] - a[1]
-    )
-    a = product_transposed(a, q)
+    if turns_far(a):
+        q = polar_rotation(a)
+        return q, symmetric_part(product_transposed(a, q))
+    q = IDENTITY
+    solver = asymmetry_solver(a)
     limit = SYMMETRY_TOLERANCE * (a[0] + a[4] + a[8])
-    for _increment in range(MAXIMUM_INCREMENTS):
+    for increment in range(MAXIMUM_INCREMENTS):
         x, y, z = a[7] - a[5], a[2] - a[6], a[3] - a[1]
         if abs(x) + abs(y) + abs(z) <= limit:
             break
-        step = symmetrising_rotation(asymmetry_solver(a), x, y, z)
+        if increment > 2:
+            solver = asymmetry_solver(a)
+        step = symmetrising_rotation(solver, x, y, z)
         a = product_transposed(a, step)
-        q = product(step, q)
-    return q, (a[0], a[4], a[8], 0.5 * (a[1] + a[3]), 0.5 * (a[5] + a[7]), 0.5 * (a[2] + a[6]))
+        q = product(step, q) if increment > 0 else step
+    return q, symmetric_part(a)

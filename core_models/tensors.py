@@ -9,6 +9,7 @@ import math
 
 from core_models.compilation import inside_kernel
 
+THIRD = 1.0 / 3.0
 IDENTITY = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 
 
@@ -123,9 +124,15 @@ def trace(s):
 
 
 @inside_kernel
+def mean(s):
+    """Mean of the three normal components of a symmetric tensor."""
+    return (s[0] + s[1] + s[2]) * THIRD
+
+
+@inside_kernel
 def deviator(s):
     """Deviatoric part of a symmetric tensor."""
-    m = (s[0] + s[1] + s[2]) / 3.0
+    m = mean(s)
     return (s[0] - m, s[1] - m, s[2] - m, s[3], s[4], s[5])
 
 
@@ -157,6 +164,12 @@ def minus(s, t):
 def plus_isotropic(s, p):
     """Symmetric tensor s + p 1."""
     return (s[0] + p, s[1] + p, s[2] + p, s[3], s[4], s[5])
+
+
+@inside_kernel
+def symmetric_part(a):
+    """Symmetric part of a tensor."""
+    return (a[0], a[4], a[8], 0.5 * (a[1] + a[3]), 0.5 * (a[5] + a[7]), 0.5 * (a[2] + a[6]))
 
 
 @inside_kernel
@@ -203,3 +216,28 @@ def symmetric_part_of_product(s, t):
 def equivalent_stress(s):
     """Von Mises stress sqrt(3/2 s:s) of a deviator s [Pa]."""
     return math.sqrt(1.5 * contract(s, s))
+
+
+@inside_kernel
+def cube_root(x):
+    """Cube root of x > 0; near 1, where explicit steps put it, by the binomial series to round-off."""
+    e = x - 1.0
+    if abs(e) > 0.02:
+        return x**THIRD
+    return 1.0 + e * (
+        1.0 / 3.0
+        - e
+        * (
+            1.0 / 9.0
+            - e
+            * (
+                5.0 / 81.0
+                - e
+                * (
+                    10.0 / 243.0
+                    - e
+                    * (22.0 / 729.0 - e * (154.0 / 6561.0 - e * (374.0 / 19683.0 - e * (935.0 / 59049.0))))
+                )
+            )
+        )
+    )

@@ -27,7 +27,9 @@ def load(path: Path | str) -> ModuleType:
     try:
         source = path.read_bytes()
     except OSError as reason:
-        raise MaterialError(f"{path}: cannot be read ({reason.strerror}): name a Python file with laws") from reason
+        raise MaterialError(
+            f"{path}: cannot be read ({reason.strerror}): name a Python file with laws"
+        ) from reason
     name = f"matpoint_laws_{path.stem}_{hashlib.sha256(source).hexdigest()[:12]}"
     if name not in _loaded:
         rekey_cache(source)

@@ -54,12 +54,14 @@ class ExplicitSolver:
         self.velocities = np.zeros((count, 2))
         self.velocities[:, 1] = velocity
         self._held = np.zeros(count, dtype=np.bool_)
-        self._next = (self.positions.copy(), self.velocities.copy(), self._held.copy())
         self.points = MaterialPoints(
             material, self.tables.weights.ravel(), temperature, viscosity, self.threads
         )
         elements = len(self.tables.nodes)
         self._volume_ratio = np.ones(4 * elements)
+        self._next = tuple(
+            a.copy() for a in (self.positions, self.velocities, self._held, self._volume_ratio)
+        )
         self._corner_forces = np.zeros((elements, 4, 2))
         chunks = -(-elements // ELEMENT_CHUNK)
         self._failures = np.zeros((chunks, 2), dtype=np.int64)
@@ -69,11 +71,11 @@ class ExplicitSolver:
         self.mass = float(self.nodal_mass.sum())
         self.initial_momentum = self.momentum
         self.wall_impulse, self.wall_force = 0.0, 0.0
-        self.ledger = EnergyLedger(0.0, 0.0)
+        self._ledger = EnergyLedger(0.0, 0.0)
         self._resist()
         self.time_step = self._stable_step()
         self._first_step, self._last_step = self.time_step, 0.0
-        self.ledger.initial = self.ledger.kinetic = self.kinetic_energy()
+        self._ledger.initial = self.kinetic_energy()
 
     def advance(self) -> None:
         """Make one step; a step that some point cannot take is redone smaller.
@@ -92,11 +94,10 @@ class ExplicitSolver:
         self.point_updates += self.points.n
         self._last_step = taken
         self.time_step = self._stable_step()
-        self.ledger.kinetic = self.kinetic_energy()
 
     def _attempt(self, dt: float) -> None:
         """Move, deform and advance the points by dt; nothing of it lasts unless all of it works."""
-        x1, v1, held1 = self._next
+        x1, v1, held1, j1 = self._next
         middle = 0.5 * (self._last_step + dt)
         self.threads.run(
             move, len(self._node_sums), self._round.start, self._round.entries, self._corner_forces, self.nodal_mass,
@@ -104,7 +105,7 @@ class ExplicitSolver:
             self._node_sums,
         )  # fmt: skip
         self.threads.run(
-            deform, len(self._failures), self.tables, x1, self.points.deformation_gradient, self._volume_ratio,
+            deform, len(self._failures), self.tables, x1, self.points.deformation_gradient, j1,
             self.points.lengths, self._failures,
         )  # fmt: skip
         bad = np.flatnonzero(self._failures[:, 0] != OK)
@@ -112,15 +113,16 @@ class ExplicitSolver:
             raise PointFailure(*(int(value) for value in self._failures[bad[0]]))
         work = self.points.advance(dt)
         self.points.accept()
-        self._next = (self.positions, self.velocities, self._held)
-        self.positions, self.velocities, self._held = x1, v1, held1
+        self._next = (self.positions, self.velocities, self._held, self._volume_ratio)
+        self.positions, self.velocities, self._held, self._volume_ratio = x1, v1, held1, j1
         impulse, contact = self._node_sums.sum(axis=0)[[IMPULSE, CONTACT_WORK]]
         self.wall_impulse += float(impulse)
         self.wall_force = float(impulse) / middle
-        self.ledger.contact -= float(contact)
-        self.ledger.plastic += work.plastic
-        self.ledger.viscosity += work.viscous
-        self.ledger.strain += work.stress - work.plastic
+        ledger = self._ledger
+        ledger.contact -= float(contact)
+        ledger.plastic += work.plastic
+        ledger.viscosity += work.viscous
+        ledger.strain += work.stress - work.plastic
 
     def _resist(self) -> None:
         """Internal forces and stable steps at the present positions."""
@@ -144,6 +146,12 @@ class ExplicitSolver:
         """Kinetic energy at `time` [J]: that of the half step before, and half a step's power of the forces."""
         half = 0.5 * float(self.nodal_mass @ (self.velocities**2).sum(axis=1))
         return half + 0.5 * self._last_step * float((self.nodal_forces() * self.velocities).sum())
+
+    @property
+    def ledger(self) -> EnergyLedger:
+        """Energies up to now; the kinetic one is worked out when somebody looks."""
+        self._ledger.kinetic = self.kinetic_energy()
+        return self._ledger
 
     @property
     def momentum(self) -> float:

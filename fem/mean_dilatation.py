@@ -16,6 +16,7 @@ from core_models.bulk_viscosity import damped_step_factor
 from core_models.compilation import inside_kernel, kernel
 from core_models.state import read, write
 from core_models.status import INVERTED, OK
+from core_models.tensors import THIRD, cube_root
 from fem.space import POINTS
 
 ELEMENT_CHUNK = 64  # elements; fixed, so that results do not depend on the number of threads
@@ -70,7 +71,7 @@ def deform(first, last, tables, x, deformation_gradient, volume_ratio, lengths, 
             theta = volume / reference
             for q in range(POINTS):
                 i = POINTS * e + q
-                scale = (theta / volume_ratio[i]) ** (1.0 / 3.0)
+                scale = cube_root(theta / volume_ratio[i])
                 deformation_gradient[i, 0, 0] *= scale
                 deformation_gradient[i, 0, 1] *= scale
                 deformation_gradient[i, 1, 0] *= scale
@@ -129,7 +130,7 @@ def element_resistance(
         viscous_pressure = read(viscous, i, 0.0)
         volume += w * volume_ratio[i]
         reference += w
-        mean += w * ((stress[i, 0] + stress[i, 1] + stress[i, 2]) / 3.0 - viscous_pressure)
+        mean += w * ((stress[i, 0] + stress[i, 1] + stress[i, 2]) * THIRD - viscous_pressure)
         speed = max(speed, wave_speed[i])
         largest_viscous = max(largest_viscous, viscous_pressure)
     theta = volume / reference
@@ -146,7 +147,7 @@ def element_resistance(
         over_r = 1.0 / (hoop * tables.radius[e, q])
         w = tables.weights[e, q] * volume_ratio[i]
         wd = tables.weights[e, q] * theta
-        p = (stress[i, 0] + stress[i, 1] + stress[i, 2]) / 3.0
+        p = (stress[i, 0] + stress[i, 1] + stress[i, 2]) * THIRD
         t_rr = wd * (stress[i, 0] - p) + w * mean
         t_zz = wd * (stress[i, 1] - p) + w * mean
         t_hoop = wd * (stress[i, 2] - p) + w * mean

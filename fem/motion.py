@@ -38,16 +38,17 @@ def move(
             if on_axis[node]:
                 vr = 0.0
             held = held0[node] and bilateral
-            if held or x0[node, 1] + dt * vz < 0.0:
+            height = x0[node, 1] + dt * vz
+            if held or height < 0.0:
                 stopped = -x0[node, 1] / dt
                 push = mass[node] * (stopped - vz)
                 impulse += push
                 work += push * 0.5 * (stopped + v0[node, 1])
-                vz = stopped
+                vz, height = stopped, 0.0
                 held = True
             held1[node] = held
             v1[node, 0], v1[node, 1] = vr, vz
             x1[node, 0] = x0[node, 0] + dt * vr
-            x1[node, 1] = x0[node, 1] + dt * vz
+            x1[node, 1] = height
         sums[chunk, IMPULSE] = impulse
         sums[chunk, CONTACT_WORK] = work

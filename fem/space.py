@@ -27,7 +27,7 @@ def quad_tables(mesh) -> QuadTables:
     from skfem import Basis, ElementQuad1
 
     basis = Basis(mesh.to_skfem(), ElementQuad1(), intorder=3)
-    shape = np.array([np.asarray(phi[0].value)[0] for phi in basis.basis]).T
+    shape = np.array([np.asarray(phi[0])[0] for phi in basis.basis]).T
     gradients = np.array([np.asarray(phi[0].grad) for phi in basis.basis])
     radius = np.ascontiguousarray(np.asarray(basis.global_coordinates())[0])
     return QuadTables(

@@ -67,43 +67,75 @@ def slopes(d, over_h):
     return (d - 0.5) * over_h, -2.0 * d * over_h, (d + 0.5) * over_h
 
 
-@kernel
-def sort_particles(positions, over_h, sums, first, last, stripe_start, order):
-    """Order particles by stripe and find the columns that each node row needs; clears those nodes.
+class Order(NamedTuple):
+    """Particles by stripe of cells: particles[start[s] : start[s + 1]] are in stripe s.
 
-    positions : (n, 2) [m]. first, last : (rows,), written. stripe_start : (stripes + 1,), order : (n,), written.
-    Returns the number of the first particle outside the grid, or -1.
+    stripes : (n,) stripe of each particle. fill : (stripes + 1,) for the sorting itself.
     """
-    rows, columns = sums.shape[0], sums.shape[1]
+
+    particles: np.ndarray
+    start: np.ndarray
+    stripes: np.ndarray
+    fill: np.ndarray
+
+
+def make_order(particles: int, rows: int) -> Order:
+    """Room for the order of particles on a grid with that many rows of nodes."""
+    stripes = -(-rows // STRIPE)
+
+    def integers(count: int) -> np.ndarray:
+        return np.zeros(count, dtype=np.int64)
+
+    return Order(integers(particles), integers(stripes + 1), integers(particles), integers(stripes + 1))
+
+
+@kernel
+def sort_particles(positions, over_h, grid, order):
+    """Order particles by stripe, find the columns that each node row needs and clear those nodes.
+
+    positions : (n, 2) [m]. Returns the number of the first particle outside the grid, or -1.
+    """
+    first, last, start = grid.first, grid.last, order.start
+    rows, columns = grid.sums.shape[0], grid.sums.shape[1]
     for row in range(rows):
         first[row] = columns
         last[row] = -1
-    stripe_start[:] = 0
+    for stripe in range(start.shape[0]):
+        start[stripe] = 0
+    low, high, count, current = columns, -1, 0, 0
     for p in range(positions.shape[0]):
-        if not (math.isfinite(positions[p, 0]) and math.isfinite(positions[p, 1])):
+        r, z = positions[p, 0] * over_h, positions[p, 1] * over_h + (GHOSTS - 1)
+        if not (r >= 0.0 and z >= 0.0 and r < columns - 2 and z < rows - 2):
             return p
-        column = stencil(positions[p, 0], over_h, 0)[0]
-        row = stencil(positions[p, 1], over_h, GHOSTS - 1)[0]
-        if column < 0 or row < 0 or column + 2 >= columns or row + 2 >= rows:
-            return p
-        first[row] = min(first[row], column)
-        last[row] = max(last[row], column)
-        stripe_start[row // STRIPE + 1] += 1
+        column, row = int(r), int(z)
+        if row != current:
+            _note(first, last, start, current, low, high, count)
+            low, high, count, current = columns, -1, 0, row
+        low, high, count = min(low, column), max(high, column), count + 1
+        order.stripes[p] = row // STRIPE
+    _note(first, last, start, current, low, high, count)
+    for stripe in range(start.shape[0] - 1):
+        start[stripe + 1] += start[stripe]
+        order.fill[stripe] = start[stripe]
+    for p in range(positions.shape[0]):
+        stripe = order.stripes[p]
+        order.particles[order.fill[stripe]] = p
+        order.fill[stripe] += 1
     for row in range(rows - 1, -1, -1):
         for below in range(max(row - 2, 0), row):
             first[row] = min(first[row], first[below])
             last[row] = max(last[row], last[below])
-        last[row] = last[row] + 2 if last[row] >= 0 else -1
-    for stripe in range(stripe_start.shape[0] - 1):
-        stripe_start[stripe + 1] += stripe_start[stripe]
-    fill = stripe_start.copy()
-    for p in range(positions.shape[0]):
-        row = stencil(positions[p, 1], over_h, GHOSTS - 1)[0]
-        stripe = row // STRIPE
-        order[fill[stripe]] = p
-        fill[stripe] += 1
-    for row in range(rows):
+        if last[row] >= 0:
+            last[row] += 2
         for column in range(first[row], last[row] + 1):
             for k in range(5):
-                sums[row, column, k] = 0.0
+                grid.sums[row, column, k] = 0.0
     return -1
+
+
+@inside_kernel
+def _note(first, last, start, row, low, high, count):
+    """Enter a run of particles of one row of cells."""
+    first[row] = min(first[row], low)
+    last[row] = max(last[row], high)
+    start[row // STRIPE + 1] += count

@@ -80,7 +80,9 @@ def meet_wall(grid, dt, gaps, bilateral, held, new_held):
         grid.after[low, column, 1], grid.after[high, column, 1] = n_low, n_high
         impulse += push
         work += 0.25 * push * (grid.before[low, column, 1] + grid.before[high, column, 1] + n_low + n_high)
-        energy += 0.5 * m_low * (n_low * n_low - v_low * v_low) + 0.5 * m_high * (n_high * n_high - v_high * v_high)
+        energy += 0.5 * m_low * (n_low * n_low - v_low * v_low) + 0.5 * m_high * (
+            n_high * n_high - v_high * v_high
+        )
     mirror(grid.after, low)
     mirror(grid.after, high)
     return impulse, work, energy
@@ -94,7 +96,8 @@ def measure_gaps(h, positions, deformation_gradient, surface, corners, gaps):
     in the reference body [m]. gaps : (columns,), written: the lowest end of a face within a cell of the column.
     """
     over_h = 1.0 / h
-    gaps[:] = FAR
+    for column in range(gaps.shape[0]):
+        gaps[column] = FAR
     for face in range(surface.shape[0]):
         p = surface[face]
         if positions[p, 1] > 3.0 * h:

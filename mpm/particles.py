@@ -9,11 +9,7 @@ LATTICE = "lattice"
 
 # Quarters of a quad, in the order of scikit-fem's 2 x 2 points: corners in local coordinates, counter-clockwise.
 _LOCAL = np.array(
-    [
-        [(s, t), (s + 0.5, t), (s + 0.5, t + 0.5), (s, t + 0.5)]
-        for s in (0.0, 0.5)
-        for t in (0.0, 0.5)
-    ]
+    [[(s, t), (s + 0.5, t), (s + 0.5, t + 0.5), (s, t + 0.5)] for s in (0.0, 0.5) for t in (0.0, 0.5)]
 )
 _GAUSS = 0.5 - 0.5 / np.sqrt(3.0)
 _GAUSS_POINTS = np.array([(s, t) for s in (_GAUSS, 1.0 - _GAUSS) for t in (_GAUSS, 1.0 - _GAUSS)])

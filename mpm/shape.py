@@ -5,9 +5,13 @@ import numpy as np
 from mpm.particles import Particles
 
 
-def particle_domains(particles: Particles, positions: np.ndarray, deformation_gradient: np.ndarray) -> np.ndarray:
+def particle_domains(
+    particles: Particles, positions: np.ndarray, deformation_gradient: np.ndarray
+) -> np.ndarray:
     """Deformed domains x_p + F (X - X_p) of all particles: (n, 4, 2) [m]."""
-    return positions[:, None, :] + np.einsum("nij,ncj->nci", deformation_gradient[:, :2, :2], particles.corners)
+    return positions[:, None, :] + np.einsum(
+        "nij,ncj->nci", deformation_gradient[:, :2, :2], particles.corners
+    )
 
 
 def outline(

@@ -12,7 +12,7 @@ from core_models.points import MaterialPoints, Work
 from core_models.redo import VANISHING_STEP, redoing
 from core_models.threads import Threads
 from core_models.walls import PLANE, check_wall
-from mpm.grid import STRIPE, Grid, make_grid, sort_particles
+from mpm.grid import Grid, make_grid, make_order, sort_particles
 from mpm.motion import AFTER, BEFORE, accelerate, measure_gaps, meet_wall
 from mpm.particles import GAUSS, LATTICE, seed
 from mpm.shape import outline, particle_domains
@@ -54,7 +54,9 @@ class Solver:
         cfl: float = 0.5,
     ) -> None:
         if transfer not in TRANSFERS:
-            raise SceneError(f"no transfer is called {transfer!r}: did you mean {nearest(transfer, TRANSFERS)!r}?")
+            raise SceneError(
+                f"no transfer is called {transfer!r}: did you mean {nearest(transfer, TRANSFERS)!r}?"
+            )
         if seeding not in (GAUSS, LATTICE):
             raise SceneError(f"no seeding is called {seeding!r}: use {GAUSS!r} or {LATTICE!r}")
         if not cell_size > 0.0 or len(mesh.quads) == 0:
@@ -73,10 +75,11 @@ class Solver:
         self.velocities = np.tile([0.0, velocity], (n, 1))
         self.affine = np.zeros((n, 2, 2))
         self._volume_ratio = np.ones(n)
-        self._next = tuple(a.copy() for a in (self.positions, self.velocities, self.affine, self._volume_ratio))
+        self._next = tuple(
+            a.copy() for a in (self.positions, self.velocities, self.affine, self._volume_ratio)
+        )
         self._surface, self._surface_corners = self._boundary_faces()
         self._grow_grid()
-        self._order = np.zeros(n, dtype=np.int64)
         self._sums = np.zeros((-(-n // CHUNK), 2))
         self.time, self.step_count, self.point_updates = 0.0, 0, 0
         self.mass = float(self.particle_mass.sum())
@@ -106,17 +109,15 @@ class Solver:
 
     def _particles_to_grid(self) -> None:
         """Sort the particles and fill the grid with their mass, momentum and forces; measure gaps to the wall."""
-        grid, points = self._grid, self.points
-        arguments = (self.positions, 1.0 / self.cell_size)
-        outside = sort_particles(*arguments, grid.sums, grid.first, grid.last, self._stripe_start, self._order)
+        points, over_h = self.points, 1.0 / self.cell_size
+        outside = sort_particles(self.positions, over_h, self._grid, self._order)
         if outside >= 0:
             self._grow_grid(outside)
-            grid = self._grid
-            sort_particles(*arguments, grid.sums, grid.first, grid.last, self._stripe_start, self._order)
-        stripes = len(self._stripe_start) - 1
+            sort_particles(self.positions, over_h, self._grid, self._order)
+        stripes = len(self._order.start) - 1
         for parity in range(2):
             self.threads.run(
-                to_grid, (stripes - parity + 1) // 2, parity, grid, self._stripe_start, self._order, self.cell_size,
+                to_grid, (stripes - parity + 1) // 2, parity, self._grid, self._order, self.cell_size,
                 self.positions, self.velocities, self.affine, self.particle_mass, points.reference_volumes,
                 self._volume_ratio, points.old.stress, points.viscous_pressure,
             )  # fmt: skip
@@ -187,11 +188,12 @@ class Solver:
         rows, columns = self._grid.sums.shape[:2]
         held = np.zeros(columns, dtype=np.bool_)
         if outside is not None:
-            held[: len(self._held)] = self._held
+            kept = min(columns, len(self._held))
+            held[:kept] = self._held[:kept]
         self._held, self._new_held = held, held.copy()
         self._gaps = np.zeros(columns)
         self._row_energies = np.zeros((rows, 2))
-        self._stripe_start = np.zeros(-(-rows // STRIPE) + 1, dtype=np.int64)
+        self._order = make_order(len(self.positions), rows)
 
     @property
     def momentum(self) -> float:

@@ -19,7 +19,7 @@ ENERGY, SPEED = 0, 1
 
 @kernel
 def to_grid(
-    first, last, parity, grid, stripe_start, order, h, positions, velocities, affine, masses, volumes, volume_ratio,
+    first, last, parity, grid, order, h, positions, velocities, affine, masses, volumes, volume_ratio,
     stress, viscous,
 ):  # fmt: skip
     """Add mass, momentum and internal force of the particles to the grid.
@@ -27,15 +27,15 @@ def to_grid(
     Parameters
     ----------
     first, last : stripes of one parity, counted within that parity; two stripes of one parity share no node.
-    grid : `Grid`. h : cell size [m]. positions, velocities (n, 2), affine (n, 2, 2) [1/s]. masses (n,) [kg].
+    grid : `Grid`. order : `Order`. h : cell size [m]. positions, velocities (n, 2), affine (n, 2, 2) [1/s]. masses (n,) [kg].
     volumes (n,) : reference [m^3], 2 pi r A. volume_ratio (n,). stress (n, 6) [Pa]. viscous (n,) [Pa] or None.
     """
     over_h = 1.0 / h
     sums = grid.sums
     for half in range(first, last):
         stripe = 2 * half + parity
-        for place in range(stripe_start[stripe], stripe_start[stripe + 1]):
-            p = order[place]
+        for place in range(order.start[stripe], order.start[stripe + 1]):
+            p = order.particles[place]
             column, dr = stencil(positions[p, 0], over_h, 0)
             row, dz = stencil(positions[p, 1], over_h, GHOSTS - 1)
             nr, nz = weights(dr), weights(dz)

@@ -6,7 +6,7 @@ from pathlib import Path
 from core_models.errors import UnsupportedError
 from core_models.walls import check_wall
 from studies.comparison import Comparison, conclude
-from studies.methods import check_resolution, find_method, resolutions_of
+from studies.methods import check_run, resolutions_of
 from studies.output_folder import OutputFolder
 from studies.report.page import report_page
 from studies.run_record import run_entry, to_json
@@ -34,10 +34,9 @@ def compare(
     Raises SceneError, MeshError, OutputError before anything is written.
     """
     wall = check_wall(wall or scene.wall)
-    plan = [(method, n) for method in methods for n in sorted(resolutions or _own(scene, method))]
+    plan = [(method, n) for method in methods for n in sorted(resolutions or resolutions_of(scene, method))]
     for method, resolution in plan:
-        find_method(method)
-        check_resolution(resolution)
+        check_run(scene, method, resolution)
     if out is None:
         return conclude(scene, wall, [_one(scene, *job, wall, threads, None, progress) for job in plan])
     with OutputFolder(out) as folder:
@@ -69,11 +68,6 @@ def results(comparison: Comparison) -> dict:
         "versions": versions(),
         "processor": processor(),
     }
-
-
-def _own(scene: Scene, method: str) -> tuple[int, ...]:
-    find_method(method)
-    return resolutions_of(scene, method)
 
 
 def _one(

@@ -4,9 +4,11 @@ from dataclasses import dataclass
 from math import hypot
 
 from studies.convergence import Estimate
-from studies.display import plus_minus, shown, shown_name, shown_unit, with_unit
+from studies.display import plus_minus, shown_name, shown_unit, with_unit
 from studies.methods import METHODS
 from studies.run_result import RunResult
+
+TELLING = 0.1  # an uncertainty beyond this share of the value is no basis for a verdict
 
 
 @dataclass(frozen=True)
@@ -14,7 +16,7 @@ class Difference:
     """Second minus first, of the finest runs and of the limits; relative to the first.
 
     uncertainty: of the difference of the limits; agree: whether that difference lies within it (None: no
-    statement is possible); verdict: the same as a sentence.
+    verdict is possible); verdict: the same as a sentence.
     """
 
     quantity: str
@@ -39,7 +41,7 @@ def difference(
     estimates = limits[first.method][name], limits[second.method][name]
     gap = estimates[1].value - estimates[0].value
     uncertainty = _combined(*estimates)
-    agree = None if uncertainty is None else abs(gap) <= uncertainty
+    agree = _agreement(gap, uncertainty, estimates[0].value)
     return Difference(
         quantity=name,
         unit=unit,
@@ -61,6 +63,12 @@ def _combined(first: Estimate, second: Estimate) -> float | None:
     return hypot(first.uncertainty, second.uncertainty)
 
 
+def _agreement(gap: float, uncertainty: float | None, value: float) -> bool | None:
+    if uncertainty is None or uncertainty > TELLING * abs(value):
+        return None
+    return abs(gap) <= uncertainty
+
+
 def _relative(gap: float, base: float) -> float | None:
     return gap / abs(base) if base else None
 
@@ -80,14 +88,15 @@ def _sentence(
     if relative is not None:
         by += f", {100.0 * relative:.2g} %"
     subject = f"{shown_name(name).capitalize()}: {told[0]} and {told[1]}"
+    if uncertainty is None:
+        return f"{subject} differ by {by}; one resolution does not tell their errors."
     if agree is None:
-        return f"{subject} differ by {by}; their errors cannot be estimated from one resolution."
+        return f"{subject} are apart by {by}; not converged well enough for a verdict."
     if agree:
         return f"{subject} agree within their uncertainty (apart by {by})."
     return f"{subject} differ by {by}, more than their uncertainty ({with_unit(uncertainty, unit, 2)})."
 
 
 def _told(run: RunResult, estimate: Estimate, unit: str) -> str:
-    spread = plus_minus(estimate.uncertainty, unit)
-    number = " ".join(part for part in (shown(estimate.value, unit), spread, shown_unit(unit)) if part)
-    return f"{METHODS[run.method].label} {number}"
+    number = plus_minus(estimate.value, estimate.uncertainty, unit)
+    return f"{METHODS[run.method].label} {number} {shown_unit(unit)}".rstrip()

@@ -1,5 +1,7 @@
 """How numbers are shown to people: names, convenient units, digits."""
 
+from math import floor, log10
+
 SHOWN_UNITS = {
     "m": (1e3, "mm"),
     "m^2": (1e6, "mm²"),
@@ -38,13 +40,22 @@ def with_unit(value: float | None, unit: str, digits: int = 5) -> str:
 
 
 def number(value: float, digits: int = 4) -> str:
-    """So many significant digits, trailing zeros kept, exponents only for the extreme."""
+    """So many significant digits, trailing zeros kept, without exponents."""
     if abs(value) < SMALLEST:
         return "0"
-    text = f"{value:#.{digits}g}"
-    return text.rstrip(".") if "e" not in text else f"{value:.{max(digits - 2, 1)}e}"
+    return f"{value:.{max(digits - 1 - _magnitude(float(f'{value:.{digits - 1}e}')), 0)}f}"
 
 
-def plus_minus(uncertainty: float | None, unit: str) -> str:
-    """'± 0.012', two digits; empty for none."""
-    return "" if uncertainty is None else f"± {shown(uncertainty, unit, 2)}"
+def plus_minus(value: float, uncertainty: float | None, unit: str) -> str:
+    """'16.593 ± 0.036': two digits of the uncertainty, the value to the same place."""
+    if uncertainty is None:
+        return shown(value, unit)
+    scale = SHOWN_UNITS[unit][0]
+    if uncertainty * scale < SMALLEST:
+        return f"{shown(value, unit)} ± 0"
+    places = max(1 - _magnitude(uncertainty * scale), 0)
+    return f"{value * scale:.{places}f} ± {uncertainty * scale:.{places}f}"
+
+
+def _magnitude(value: float) -> int:
+    return floor(log10(abs(value)))

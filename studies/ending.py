@@ -35,9 +35,9 @@ class Ending:
     def reason(self, solver) -> str:
         """Why the run ended, in words."""
         if self.released(solver):
-            return f"one axial period after the bar left the wall at {self._contact.last * 1e6:.4g} us"
+            return f"one axial period after the bar left the wall at {self._contact.last * 1e6:.4g} µs"
         if self._period is not None:
             return (
-                f"latest time {self._limit * 1e6:.4g} us reached before the bar had left for one axial period"
+                f"latest time {self._limit * 1e6:.4g} µs reached before the bar had left for one axial period"
             )
-        return f"end time {self._limit * 1e6:.4g} us"
+        return f"end time {self._limit * 1e6:.4g} µs"

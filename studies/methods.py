@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass
 
-from core_models.errors import MeshError, SceneError
+from core_models.errors import SceneError
+from studies.bar_mesh import bar_mesh, check_resolution, own_resolution
 from studies.names import nearest
 from studies.scene import Scene
 
@@ -31,36 +32,28 @@ def find_method(name: str) -> Method:
 
 
 def resolutions_of(scene: Scene, method: str) -> tuple[int, ...]:
-    """The scene's own resolutions for a method, coarse to fine."""
+    """The scene's own resolutions for a method, coarse to fine; those of its own mesh if it has one."""
+    find_method(method)
+    if scene.mesh is not None and method not in scene.resolutions:
+        return (own_resolution(scene),)
     return scene.resolutions.get(method, DEFAULT_RESOLUTION)
 
 
-def check_resolution(resolution: int) -> int:
-    """A resolution that leaves at least two elements or cells across the radius; raises SceneError."""
-    if resolution < 2:
-        raise SceneError(f"resolution {resolution} leaves no usable cell across the radius; give 2 or more")
-    return resolution
-
-
-def build_mesh(scene: Scene, resolution: int):
-    """The bar as quads: the user's own mesh, or the cylinder with `resolution` elements across the radius."""
-    if scene.mesh is None:
-        from meshes.taylor_bar import taylor_bar
-
-        return taylor_bar(scene.bar.radius, scene.bar.length, check_resolution(resolution))
-    from meshes.io import read_mesh
-
-    mesh = read_mesh(scene.mesh)
-    if mesh.points[:, 1].min() < 0.0:
-        raise MeshError(f"{scene.mesh}: has points below the wall (z = 0); move the mesh up")
-    return mesh
+def check_run(scene: Scene, method: str, resolution: int) -> None:
+    """Refuse, before anything is written, a method or resolution that cannot be run; raises SceneError."""
+    find_method(method)
+    check_resolution(resolution)
+    if scene.mesh is not None and method == "fem-explicit" and resolution != own_resolution(scene):
+        raise SceneError(
+            f"{scene.mesh}: has {own_resolution(scene)} elements across the radius, not {resolution}; "
+            "leave the resolution out"
+        )
 
 
 def build_solver(scene: Scene, method: str, resolution: int, wall: str, threads: int):
     """The solver for one run, at time zero."""
-    find_method(method)
-    check_resolution(resolution)
-    mesh = build_mesh(scene, resolution)
+    check_run(scene, method, resolution)
+    mesh = bar_mesh(scene, resolution)
     common = {
         "velocity": scene.bar.velocity,
         "temperature": scene.bar.temperature,

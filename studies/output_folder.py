@@ -4,8 +4,8 @@ import fcntl
 import shutil
 from pathlib import Path
 
-from core_models.errors import OutputError
 from core_models.atomic import replacing
+from core_models.errors import OutputError
 
 LOCK = ".lock"
 

@@ -4,9 +4,10 @@ from math import ceil, sqrt
 
 from core_models.material import Material
 from core_models.walls import check_wall
+from studies.bar_mesh import bar_mesh
 from studies.display import number
 from studies.effects import scene_effects
-from studies.methods import METHODS, build_mesh, check_resolution, find_method, resolutions_of
+from studies.methods import METHODS, check_run, resolutions_of
 from studies.scene import Scene
 from studies.text_table import aligned
 
@@ -45,9 +46,9 @@ def _law(law: tuple) -> str:
 
 
 def _end(scene: Scene, wall: str) -> str:
-    limit = f"{scene.end.limit(wall) * 1e6:g} us"
+    limit = f"{scene.end.limit(wall) * 1e6:g} µs"
     if scene.end.after_release(wall):
-        return f"{scene.axial_period * 1e6:.4g} us after the bar has left the wall, at {limit} at the latest"
+        return f"{scene.axial_period * 1e6:.4g} µs after the bar has left the wall, at {limit} at the latest"
     return limit
 
 
@@ -60,11 +61,11 @@ def _effect_rows(scene: Scene, wall: str) -> list[list[str]]:
 def _run_rows(
     scene: Scene, methods: tuple[str, ...], resolutions: tuple[int, ...] | None, wall: str
 ) -> list[list[str]]:
-    rows = [["run", "points", "smallest edge mm", "steps, about"]]
+    rows = [["run", "points", "smallest edge mm", "steps, up to about"]]
     for method in methods:
-        find_method(method)
         for resolution in resolutions or resolutions_of(scene, method):
-            mesh = build_mesh(scene, check_resolution(resolution))
+            check_run(scene, method, resolution)
+            mesh = bar_mesh(scene, resolution)
             edge = scene.bar.radius / resolution if method == "mpm" else _smallest_edge(mesh)
             steps = CRUSHED[method] * scene.end.limit(wall) * _wave_speed(scene) / (COURANT[method] * edge)
             rows.append(

@@ -34,7 +34,7 @@ class Progress(Observer):
         left = (now - self._began) * (1.0 - share) / share
         bar = "#" * int(WIDTH * share)
         self._show(
-            f"{self._label}  [{bar:<{WIDTH}}] {share:4.0%}  {solver.time * 1e6:7.2f} us  {clock(left)} left"
+            f"{self._label}  [{bar:<{WIDTH}}] {share:4.0%}  {solver.time * 1e6:7.2f} µs  {clock(left)} left"
         )
 
     def finish(self, solver) -> None:

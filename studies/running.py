@@ -10,7 +10,7 @@ from studies.costs import Cost, measured
 from studies.ending import Ending
 from studies.frames import Frames, cell_data
 from studies.history import ENERGIES, History
-from studies.methods import build_solver, check_resolution, find_method, resolutions_of
+from studies.methods import build_solver, check_run, resolutions_of
 from studies.observer import Observer
 from studies.output_folder import OutputFolder
 from studies.progress import Progress
@@ -38,9 +38,9 @@ def run(
     Raises SceneError, MeshError, OutputError before anything is written; RunFailure when the run goes wrong,
     and then the folder keeps what had been written.
     """
-    find_method(method)
     check_wall(wall or scene.wall)
-    resolution = check_resolution(resolutions_of(scene, method)[-1] if resolution is None else resolution)
+    resolution = resolutions_of(scene, method)[-1] if resolution is None else resolution
+    check_run(scene, method, resolution)
     options = {"wall": wall, "threads": threads, "progress": progress}
     if out is None:
         result = simulate(scene, method, resolution, **options)

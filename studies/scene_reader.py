@@ -83,7 +83,7 @@ def read_scene(
         curves=tuple(read_curve_entry(element, path.parent) for element in root.findall("reference_curve")),
         mesh=_file(children.get("mesh"), path.parent),
         laws=own_laws,
-        unused=tuple(f"{tag.file}:{tag.line}: <{tag.tag}>" for tag in card.unused),
+        unused=tuple(f"{Path(tag.file).name}:{tag.line}: <{tag.tag}>" for tag in card.unused),
     )
 
 

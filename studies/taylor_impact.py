@@ -10,7 +10,7 @@ import numpy as np
 from core_models.errors import SceneError
 from core_models.walls import PLANE
 from studies import profile
-from studies.bar_shape import Outline, foot_radius, lowest_point, rim_lift
+from studies.bar_shape import Outline, foot_height, foot_radius, rim_lift
 from studies.contact_watch import ContactWatch
 from studies.history import History
 from studies.scene import Scene
@@ -43,14 +43,14 @@ def measure(solver, scene: Scene, wall: str, history: History, contact: ContactW
         "rim_lift": Quantity(rim_lift(outline), "m"),
         **_shape(outline, scene),
         **_maxima(solver.points.fields()),
-        "contact_duration": _contact_duration(wall, contact),
+        "contact_duration": _contact_duration(wall, contact, solver.time),
     }
 
 
 def _final_length(scene: Scene, wall: str, history: History) -> Quantity:
     times, lengths = history.column("t"), history.column("length")
     if not scene.end.after_release(wall):
-        return Quantity(float(lengths[-1]), "m", f"at the end time, {times[-1] * 1e6:.4g} us")
+        return Quantity(float(lengths[-1]), "m", f"at the end time, {times[-1] * 1e6:.4g} µs")
     last = times >= times[-1] - scene.axial_period
     t, values = times[last], lengths[last]
     mean = np.trapezoid(values, t) / (t[-1] - t[0]) if len(t) > 1 else values[-1]
@@ -58,14 +58,14 @@ def _final_length(scene: Scene, wall: str, history: History) -> Quantity:
     return Quantity(
         float(mean),
         "m",
-        f"mean over the last axial period, {scene.axial_period * 1e6:.4g} us",
+        f"mean over the last axial period, {scene.axial_period * 1e6:.4g} µs",
         {"amplitude": amplitude},
     )
 
 
 def _shape(outline: Outline, scene: Scene) -> dict[str, Quantity]:
     polygon = profile.half_profile(outline)
-    foot = lowest_point(outline)
+    foot = foot_height(outline)
     centroid_r, centroid_z = profile.centroid(polygon)
     station = foot + WIDTH_STATION * scene.bar.length
     return {
@@ -90,7 +90,7 @@ def _undeformed_length(outline: Outline, radius: float) -> float:
     rear = profile.mean_height(outline["rear"])
     side_from_rear = outline["side"][::-1]
     height = profile.first_exceeding(side_from_rear, radius * (1.0 + UNDEFORMED_TOLERANCE))
-    return rear - (lowest_point(outline) if height is None else height)
+    return rear - (foot_height(outline) if height is None else height)
 
 
 def _maxima(fields: dict) -> dict[str, Quantity]:
@@ -104,9 +104,12 @@ def _maximum(fields: dict, name: str, unit: str) -> Quantity:
     return Quantity(float(fields[name].array.max()), unit, "largest over all points, at the end")
 
 
-def _contact_duration(wall: str, contact: ContactWatch) -> Quantity:
+def _contact_duration(wall: str, contact: ContactWatch, end: float) -> Quantity:
     if wall == PLANE:
         return Quantity(None, "s", "a plane wall never lets go")
     if contact.first is None:
         return Quantity(None, "s", "the bar never touched the wall")
-    return Quantity(contact.last - contact.first, "s", "from the first to the last touch")
+    note = "from the first to the last touch"
+    if contact.last >= end:
+        note = "from the first touch to the end, where the bar still touches the wall"
+    return Quantity(contact.last - contact.first, "s", note)

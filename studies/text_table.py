@@ -41,15 +41,14 @@ def comparison_text(comparison: Comparison) -> str:
 def _quantity_rows(comparison: Comparison) -> Iterable[list[str]]:
     finest = comparison.finest
     apart = {difference.quantity: difference for difference in comparison.differences}
-    heads = [[f"{METHODS[run.method].label} {run.resolution}", "limit", ""] for run in finest]
+    heads = [[f"{METHODS[run.method].label} {run.resolution}", "limit"] for run in finest]
     yield ["quantity", "", *sum(heads, []), "difference", "reference"]
     for name, quantity in finest[0].quantities.items():
         row = [shown_name(name), shown_unit(quantity.unit)]
         for run in finest:
             limit = comparison.limits[run.method].get(name)
             row.append(shown(run.quantities[name].value, quantity.unit))
-            row.append(ABSENT if limit is None else shown(limit.value, quantity.unit))
-            row.append("" if limit is None else plus_minus(limit.uncertainty, quantity.unit))
+            row.append(ABSENT if limit is None else plus_minus(limit.value, limit.uncertainty, quantity.unit))
         gap = apart.get(name)
         row.append(shown_percent(None if gap is None else gap.finest_relative))
         row.append(_reference(name, quantity.unit, comparison))

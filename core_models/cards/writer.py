@@ -32,7 +32,9 @@ def write_material(material: Material, path: str | Path) -> None:
     """
     element = material_element(material)
     with replacing(path) as temporary:
-        temporary.write_bytes(etree.tostring(element, xml_declaration=True, encoding="UTF-8", pretty_print=True))
+        temporary.write_bytes(
+            etree.tostring(element, xml_declaration=True, encoding="UTF-8", pretty_print=True)
+        )
 
 
 def material_element(material: Material) -> etree._Element:

@@ -32,19 +32,19 @@ class JohnsonCook(NamedTuple):
 
     uses_temperature = True
 
+
 SMALLEST_STRAIN = 1e-12
 
 
 @flow_stress.register(JohnsonCook)
 def _(flow, hardening_variable, plastic_strain, plastic_rate, temperature):
-    homologous = (temperature - flow.T_r) / (flow.T_m - flow.T_r)
-    if homologous >= 1.0:
-        return 0.0, 0.0, 0.0, 0.0, 0.0
-    thermal, thermal_slope = 1.0, 0.0
-    if homologous > 0.0:
-        power = homologous**flow.m
-        thermal = 1.0 - power
-        thermal_slope = -flow.m * power / (homologous * (flow.T_m - flow.T_r))
+    # Without branches, so that what depends on the temperature alone leaves the loop of the return.
+    homologous = min(max((temperature - flow.T_r) / (flow.T_m - flow.T_r), 0.0), 1.0)
+    softening = homologous**flow.m
+    thermal = 1.0 - softening
+    thermal_slope = 0.0
+    if 0.0 < homologous < 1.0:
+        thermal_slope = -flow.m * softening / (homologous * (flow.T_m - flow.T_r))
     hardening = flow.B * max(plastic_strain, SMALLEST_STRAIN) ** flow.n
     if plastic_strain < SMALLEST_STRAIN:
         slope = hardening / SMALLEST_STRAIN
@@ -55,11 +55,11 @@ def _(flow, hardening_variable, plastic_strain, plastic_rate, temperature):
     if plastic_rate > flow.epdot_0:
         rate_factor = 1.0 + flow.C * math.log(plastic_rate / flow.epdot_0)
         rate_slope = flow.C / plastic_rate
-    strength = flow.A + hardening
+    strength = (flow.A + hardening) * thermal
     return (
-        strength * rate_factor * thermal,
+        strength * rate_factor,
         0.0,
         slope * rate_factor * thermal,
-        strength * rate_slope * thermal,
-        strength * rate_factor * thermal_slope,
+        strength * rate_slope,
+        (flow.A + hardening) * rate_factor * thermal_slope,
     )

@@ -51,13 +51,17 @@ class MechanicalThreshold(NamedTuple):
     uses_temperature = True
     hardening_variable = 0.0
 
+
 LOWEST_RATE = 1e-7  # 1/s
-LARGEST_SUBSTEP = 1e-3  # of equivalent plastic strain; the midpoint rule then errs by some 1e-6 of the threshold
+LOWEST_TEMPERATURE = 1.0  # K
+LARGEST_SUBSTEP = 1e-3  # of plastic strain; the midpoint rule then errs by some 1e-6 of the threshold
+LARGEST_EXPONENT = 20.0  # of sigma_es / sigma_es0 and of mu(T): far beyond it neither has a meaning
 
 
 @inside_kernel
 def _varshni_modulus(flow, temperature):
-    return max(flow.b1 - flow.b2 / (math.exp(flow.b3 / max(temperature, 1.0)) - 1.0), 1e-6 * flow.b1)
+    exponent = min(flow.b3 / max(temperature, LOWEST_TEMPERATURE), LARGEST_EXPONENT)
+    return max(flow.b1 - flow.b2 / math.expm1(exponent), 1e-6 * flow.b1)
 
 
 @inside_kernel
@@ -75,9 +79,34 @@ def _thermal_factor(flow, rate, temperature, mu):
 
 
 @inside_kernel
-def _hardening_rate(flow, threshold, theta_0, saturation):
-    f = math.tanh(flow.alpha * threshold / saturation) / math.tanh(flow.alpha)
-    return theta_0 * (1.0 - f) + flow.theta_IV * f
+def _saturation(flow, rate, temperature, mu):
+    """sigma_es and its relative slope with respect to the rate."""
+    power = flow.koverbcubed * temperature / (flow.g_0es * mu)
+    exponent = power * math.log(rate / flow.edot_es0)
+    if abs(exponent) > LARGEST_EXPONENT:
+        return flow.sigma_es0 * math.exp(math.copysign(LARGEST_EXPONENT, exponent)), 0.0
+    return flow.sigma_es0 * math.exp(exponent), power / rate
+
+
+@inside_kernel
+def _initial_hardening(flow, rate, temperature):
+    """theta_0 and its slope with respect to the rate."""
+    root = math.sqrt(rate)
+    theta_0 = flow.a_0 + flow.a_1 * math.log(rate) + flow.a_2 * root - flow.a_3 * temperature
+    if theta_0 <= 0.0:
+        return 0.0, 0.0
+    return theta_0, flow.a_1 / rate + 0.5 * flow.a_2 / root
+
+
+@inside_kernel
+def _hardening_rate(flow, threshold, theta, saturation):
+    """d sigma_e / d ep and its slopes with respect to threshold and rate; theta, saturation: each with its slope."""
+    scale, top = flow.alpha / saturation[0], math.tanh(flow.alpha)
+    t = math.tanh(scale * threshold)
+    f = t / top
+    slope = (flow.theta_IV - theta[0]) * scale * (1.0 - t * t) / top
+    by_rate = theta[1] * (1.0 - f) - slope * threshold * saturation[1]
+    return theta[0] * (1.0 - f) + flow.theta_IV * f, slope, by_rate
 
 
 @flow_stress.register(MechanicalThreshold)
@@ -88,7 +117,7 @@ def _(flow, hardening_variable, plastic_strain, plastic_rate, temperature):
     ratio = mu / flow.mu_0
     if plastic_rate <= LOWEST_RATE:
         s_rate = 0.0
-    step = 1e-4 * temperature
+    step = 1e-4 * max(temperature, LOWEST_TEMPERATURE)
     mu_hot = _varshni_modulus(flow, temperature + step)
     s_hot = _thermal_factor(flow, rate, temperature + step, mu_hot)[0]
     slope_temperature = hardening_variable * (s_hot * mu_hot / flow.mu_0 - s * ratio) / step
@@ -103,18 +132,20 @@ def _(flow, hardening_variable, plastic_strain, plastic_rate, temperature):
 
 @evolve_hardening.register(MechanicalThreshold)
 def _(flow, hardening_variable, strain_increment, plastic_rate, temperature):
+    """Midpoint rule, and along with it the sensitivity to the rate."""
     rate = max(plastic_rate, LOWEST_RATE)
-    mu = _varshni_modulus(flow, temperature)
-    theta_0 = max(flow.a_0 + flow.a_1 * math.log(rate) + flow.a_2 * math.sqrt(rate) - flow.a_3 * temperature, 0.0)
-    exponent = flow.koverbcubed * temperature / (flow.g_0es * mu)
-    saturation = flow.sigma_es0 * (rate / flow.edot_es0) ** exponent
+    theta = _initial_hardening(flow, rate, temperature)
+    saturation = _saturation(flow, rate, temperature, _varshni_modulus(flow, temperature))
     substeps = 1 + int(strain_increment / LARGEST_SUBSTEP)
     h = strain_increment / substeps
-    threshold = hardening_variable
+    threshold, by_rate = hardening_variable, 0.0
     for _substep in range(substeps):
-        middle = threshold + 0.5 * h * _hardening_rate(flow, threshold, theta_0, saturation)
-        threshold = threshold + h * _hardening_rate(flow, middle, theta_0, saturation)
-    slope = _hardening_rate(flow, threshold, theta_0, saturation)
-    f = math.tanh(flow.alpha * threshold / saturation) / math.tanh(flow.alpha)
-    theta_rate = (flow.a_1 / rate + 0.5 * flow.a_2 / math.sqrt(rate)) * (1.0 - f)
-    return threshold, slope, strain_increment * theta_rate
+        slope, slope_threshold, slope_rate = _hardening_rate(flow, threshold, theta, saturation)
+        middle = threshold + 0.5 * h * slope
+        middle_by_rate = by_rate + 0.5 * h * (slope_threshold * by_rate + slope_rate)
+        slope, slope_threshold, slope_rate = _hardening_rate(flow, middle, theta, saturation)
+        threshold += h * slope
+        by_rate += h * (slope_threshold * middle_by_rate + slope_rate)
+    if plastic_rate <= LOWEST_RATE:
+        by_rate = 0.0
+    return threshold, _hardening_rate(flow, threshold, theta, saturation)[0], by_rate

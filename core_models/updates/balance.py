@@ -5,9 +5,21 @@ from typing import NamedTuple
 
 from core_models.bulk_viscosity import viscous_pressure
 from core_models.compilation import inside_kernel
-from core_models.laws import damage_increment, eroded_stress, heat_capacity, heated_fraction, pressure
+from core_models.laws import (
+    complete,
+    damage_increment,
+    elastic_moduli,
+    eroded_stress,
+    heat_capacity,
+    heated_fraction,
+    pressure,
+    stress_measure,
+)
+from core_models.state import PointState
+from core_models.tensors import mean, plus_isotropic, scaled
+from core_models.updates.prediction import NO_STRESS
 
-NO_STRESS = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+FOUR_THIRDS = 4.0 / 3.0
 
 
 class Balance(NamedTuple):
@@ -21,40 +33,65 @@ class Balance(NamedTuple):
     viscous: float
 
 
-NOTHING = Balance(0.0, 0.0, 0.0, 0.0, 0.0)
-
-
 class Pressure(NamedTuple):
     """Result of `advance_pressure`."""
 
     mean_stress: float
     energy: float
-    bulk_modulus: float
+    wave_speed: float
     viscous: float
     work: float
     viscous_work: float
 
 
 @inside_kernel
-def advance_pressure(material, viscosity, j0, j1, dt, length, shear, deviatoric_work, point):
+def advance_pressure(material, viscosity, prediction, dt, length, shear, deviatoric_work, point):
     """Mean stress at the end of the step, consistent with the energy that its own work adds.
 
     The energy balance de = s:d + (p - q) dJ by the trapezoidal rule is linear in the new mean stress because the
-    equation of state is linear in e: solved in closed form. The bulk modulus is that at constant entropy.
+    equation of state is linear in e: solved in closed form. `shear` is the Cauchy-stress shear modulus; the wave
+    speed is that of longitudinal waves at constant entropy.
     """
-    p0 = (point.stress[0] + point.stress[1] + point.stress[2]) / 3.0
-    density = material.density / j1
+    p0 = mean(point.stress)
+    j0, j1 = prediction.volume_ratio_0, prediction.volume_ratio_1
     change = j1 - j0
     cold, slope, by_energy = pressure(material.eos, j1, point.internal_energy)
     modulus = max(j1 * (slope + by_energy * cold), 0.0)
-    speed = math.sqrt((modulus + 4.0 / 3.0 * shear) / density)
-    q = viscous_pressure(viscosity, density, length, speed, 2.0 * change / (dt * (j0 + j1)))
+    speed = math.sqrt((modulus + FOUR_THIRDS * shear) * j1 * (1.0 / material.density))
+    q = viscous_pressure(viscosity, material.density / j1, length, speed, 2.0 * change / (dt * (j0 + j1)))
     viscous_work = -q * change
-    p1 = (cold + by_energy * (deviatoric_work + 0.5 * p0 * change + viscous_work)) / (1.0 - 0.5 * by_energy * change)
+    p1 = cold
+    if by_energy != 0.0:
+        added = deviatoric_work + 0.5 * p0 * change + viscous_work
+        p1 = (cold + by_energy * added) / (1.0 - 0.5 * by_energy * change)
     p1 = eroded_stress(material.erosion, point.damage, NO_STRESS, p1)[1]
     work = 0.5 * (p0 + p1) * change
     energy = point.internal_energy + deviatoric_work + work + viscous_work
-    return Pressure(p1, energy, modulus, q, work, viscous_work)
+    return Pressure(p1, energy, speed, q, work, viscous_work)
+
+
+@inside_kernel
+def complete_point(material, viscosity, prediction, correction, dt, length, point):
+    """State after the step, and what the step did, from the prediction and the return to the yield surface."""
+    j1 = prediction.volume_ratio_1
+    deviator, deviatoric_work, elastic = complete(material.update, material, prediction, correction, point)
+    to_cauchy = stress_measure(material.update, j1) / j1
+    shear = elastic_moduli(material.elasticity)[1] * to_cauchy
+    p = advance_pressure(material, viscosity, prediction, dt, length, shear, deviatoric_work, point)
+    increment, flow_stress = correction.increment, correction.flow_stress
+    dissipation = stress_measure(material.update, j1) * flow_stress * increment
+    after = PointState(
+        plus_isotropic(scaled(deviator, to_cauchy), p.mean_stress),
+        point.rotation,
+        point.left_stretch,
+        elastic,
+        point.equivalent_plastic_strain + increment,
+        correction.hardening_variable,
+        heated(material, point.temperature, dissipation, p.viscous_work),
+        damaged(material, point, increment, dt, p.mean_stress, flow_stress * to_cauchy),
+        p.energy,
+    )
+    return after, Balance(p.wave_speed, p.viscous, deviatoric_work + p.work, dissipation, p.viscous_work)
 
 
 @inside_kernel
@@ -64,7 +101,8 @@ def heated(material, temperature, dissipation, viscous_work):
     if fraction == 0.0:
         return temperature
     heat = fraction * dissipation + viscous_work
-    return temperature + heat / (material.density * heat_capacity(material.specific_heat, temperature))
+    capacity = material.density * heat_capacity(material.specific_heat, temperature)
+    return temperature + heat * (1.0 / capacity)
 
 
 @inside_kernel

@@ -1,15 +1,15 @@
 """Hyperelastic-plastic stress update: multiplicative split with the Simo-Hughes return mapping."""
 
-import math
 from typing import NamedTuple
 
 from core_models.compilation import inside_kernel
-from core_models.laws import advance_point, elastic_moduli, eroded_stress, is_beyond_eos
-from core_models.state import PointState
-from core_models.status import BEYOND_EOS, INVERTED
+from core_models.laws import complete, elastic_moduli, eroded_stress, is_beyond_eos, predict, stress_measure
+from core_models.status import BEYOND_EOS, INVERTED, OK
 from core_models.tensors import (
+    THIRD,
     congruence,
     contract,
+    cube_root,
     determinant,
     deviator,
     equivalent_stress,
@@ -20,8 +20,9 @@ from core_models.tensors import (
     symmetric_determinant,
     trace,
 )
-from core_models.updates.balance import NOTHING, Balance, advance_pressure, damaged, heated
-from core_models.updates.plastic_return import returned
+from core_models.updates.prediction import NO_PREDICTION, Prediction
+
+SQUARE_ROOT_OF_ROUND_OFF = 1e-8
 
 
 class HyperelasticPlastic(NamedTuple):
@@ -49,55 +50,59 @@ class HyperelasticPlastic(NamedTuple):
 def unimodular(deviatoric):
     """Symmetric tensor of determinant 1 with a given deviator: solves det(deviatoric + x 1) = 1 for x by Newton.
 
-    det = x^3 - x |d|^2 / 2 + det d has its largest root at or right of 1, where it is increasing and convex.
+    det = x^3 - x |d|^2 / 2 + det d increases and is convex right of its largest root; Newton's error squares each time.
     """
     half_square = 0.5 * contract(deviatoric, deviatoric)
     constant = symmetric_determinant(deviatoric) - 1.0
-    x = 1.0 + half_square / 3.0
+    x = 1.0 + (half_square - constant - 1.0) * THIRD
     for _iteration in range(50):
-        value = (x * x - half_square) * x + constant
-        step = value / (3.0 * x * x - half_square)
+        step = ((x * x - half_square) * x + constant) / (3.0 * x * x - half_square)
         x -= step
-        if abs(step) <= 1e-15 * x:
+        if abs(step) <= SQUARE_ROOT_OF_ROUND_OFF:
             break
     return plus_isotropic(deviatoric, x)
 
 
-@advance_point.register(HyperelasticPlastic)
-def _(update, material, viscosity, f0, f1, dt, length, point):
+@predict.register(HyperelasticPlastic)
+def _(update, material, f0, f1, point):
     j0, j1 = determinant(f0), determinant(f1)
     if not j1 > 0.0:
-        return INVERTED, point, NOTHING
+        return INVERTED, NO_PREDICTION, point.rotation, point.left_stretch
     if is_beyond_eos(material.eos, j1):
-        return BEYOND_EOS, point, NOTHING
+        return BEYOND_EOS, NO_PREDICTION, point.rotation, point.left_stretch
     shear = elastic_moduli(material.elasticity)[1]
     b0 = point.elastic_left_cauchy_green
-    b_trial = scaled(congruence(product(f1, inverse(f0, j0)), b0), (j0 / j1) ** (2.0 / 3.0))
-    trial = scaled(deviator(b_trial), shear)
-    tau0 = scaled(deviator(b0), shear)
-    factor, increment, flow_stress, hardening, status = returned(
-        material, trial, shear * trace(b_trial), tau0, dt, update.tolerance, point
+    isochoric = cube_root(j0 / j1)
+    b_trial = scaled(congruence(product(f1, inverse(f0, j0)), b0), isochoric * isochoric)
+    trial, before = scaled(deviator(b_trial), shear), scaled(deviator(b0), shear)
+    prediction = Prediction(
+        trial,
+        j0,
+        j1,
+        equivalent_stress(trial),
+        equivalent_stress(before),
+        shear * trace(b_trial),
+        0.5 * shear * (trace(b_trial) - trace(b0)),
+        contract(trial, before),
     )
+    return OK, prediction, point.rotation, point.left_stretch
+
+
+@complete.register(HyperelasticPlastic)
+def _(update, material, prediction, correction, point):
+    over_shear = 1.0 / elastic_moduli(material.elasticity)[1]
+    trial, factor = prediction.trial, correction.factor
     tau = eroded_stress(material.erosion, point.damage, scaled(trial, factor), 0.0)[0]
-    b1 = b_trial if increment == 0.0 and tau[0] == trial[0] else unimodular(scaled(tau, 1.0 / shear))
-    deviatoric_work = 0.5 * shear * (trace(b_trial) - trace(b0))
-    if increment > 0.0:
+    work = prediction.work
+    if correction.increment > 0.0:
         # Trapezoidal rule: the part of the trial work that the return takes back, along the flow direction.
-        q = equivalent_stress(trial)
-        along_flow = 1.5 * contract(trial, tau0) / q
-        deviatoric_work -= 0.5 * increment * (q - along_flow)
-    dissipation = flow_stress * increment
-    p = advance_pressure(material, viscosity, j0, j1, dt, length, shear / j1, deviatoric_work, point)
-    after = PointState(
-        plus_isotropic(scaled(tau, 1.0 / j1), p.mean_stress),
-        point.rotation,
-        point.left_stretch,
-        b1,
-        point.equivalent_plastic_strain + increment,
-        hardening,
-        heated(material, point.temperature, dissipation, p.viscous_work),
-        damaged(material, point, increment, dt, p.mean_stress, flow_stress / j1),
-        p.energy,
-    )
-    speed = math.sqrt((p.bulk_modulus + 4.0 / 3.0 * shear / j1) * j1 / material.density)
-    return status, after, Balance(speed, p.viscous, deviatoric_work + p.work, dissipation, p.viscous_work)
+        along_flow = 1.5 * prediction.along_flow / prediction.stress
+        work -= 0.5 * correction.increment * (prediction.stress - along_flow)
+    if factor == 1.0 and tau[0] == trial[0]:
+        return tau, work, plus_isotropic(scaled(trial, over_shear), THIRD * prediction.shear_3 * over_shear)
+    return tau, work, unimodular(scaled(tau, over_shear))
+
+
+@stress_measure.register(HyperelasticPlastic)
+def _(update, volume_ratio):
+    return 1.0

@@ -1,27 +1,24 @@
 """Hypoelastic-plastic stress update: rotated form with the Green-Naghdi rate."""
 
-import math
 from typing import NamedTuple
 
-from core_models.laws import advance_point, elastic_moduli, eroded_stress, is_beyond_eos
+from core_models.laws import complete, elastic_moduli, eroded_stress, is_beyond_eos, predict, stress_measure
 from core_models.rotation import rotation_increment
-from core_models.state import PointState
-from core_models.status import BEYOND_EOS, INVERTED
+from core_models.status import BEYOND_EOS, INVERTED, OK
 from core_models.tensors import (
     congruence,
     contract,
     determinant,
     deviator,
+    equivalent_stress,
     minus,
     plus,
-    plus_isotropic,
     product,
     scaled,
     symmetric_inverse,
     symmetric_part_of_product,
 )
-from core_models.updates.balance import NOTHING, Balance, advance_pressure, damaged, heated
-from core_models.updates.plastic_return import returned
+from core_models.updates.prediction import NO_PREDICTION, Prediction
 
 
 class HypoelasticPlastic(NamedTuple):
@@ -43,37 +40,42 @@ class HypoelasticPlastic(NamedTuple):
     tolerance: float = 1e-10
 
 
-@advance_point.register(HypoelasticPlastic)
-def _(update, material, viscosity, f0, f1, dt, length, point):
+@predict.register(HypoelasticPlastic)
+def _(update, material, f0, f1, point):
     j0, j1 = determinant(f0), determinant(f1)
     if not j1 > 0.0:
-        return INVERTED, point, NOTHING
+        return INVERTED, NO_PREDICTION, point.rotation, point.left_stretch
     if is_beyond_eos(material.eos, j1):
-        return BEYOND_EOS, point, NOTHING
+        return BEYOND_EOS, NO_PREDICTION, point.rotation, point.left_stretch
     shear = elastic_moduli(material.elasticity)[1]
     q, v1 = rotation_increment(f1, point.rotation)
     v0 = congruence(q, point.left_stretch)
     d = scaled(symmetric_part_of_product(minus(v1, v0), symmetric_inverse(plus(v1, v0))), 2.0)
-
     s0 = deviator(congruence(q, point.stress))
     trial = plus(s0, scaled(deviator(d), 2.0 * shear))
-    factor, increment, flow_stress, hardening, status = returned(
-        material, trial, 3.0 * shear, s0, dt, update.tolerance, point
+    prediction = Prediction(
+        trial,
+        j0,
+        j1,
+        equivalent_stress(trial),
+        equivalent_stress(s0),
+        3.0 * shear,
+        contract(s0, d),
+        contract(trial, d),
     )
-    s1 = eroded_stress(material.erosion, point.damage, scaled(trial, factor), 0.0)[0]
-    deviatoric_work = 0.25 * (j0 + j1) * contract(plus(s0, s1), d)
-    dissipation = j1 * flow_stress * increment
-    p = advance_pressure(material, viscosity, j0, j1, dt, length, shear, deviatoric_work, point)
-    after = PointState(
-        plus_isotropic(s1, p.mean_stress),
-        product(q, point.rotation),
-        v1,
-        point.elastic_left_cauchy_green,
-        point.equivalent_plastic_strain + increment,
-        hardening,
-        heated(material, point.temperature, dissipation, p.viscous_work),
-        damaged(material, point, increment, dt, p.mean_stress, flow_stress),
-        p.energy,
-    )
-    speed = math.sqrt((p.bulk_modulus + 4.0 / 3.0 * shear) * j1 / material.density)
-    return status, after, Balance(speed, p.viscous, deviatoric_work + p.work, dissipation, p.viscous_work)
+    return OK, prediction, product(q, point.rotation), v1
+
+
+@complete.register(HypoelasticPlastic)
+def _(update, material, prediction, correction, point):
+    stress = eroded_stress(material.erosion, point.damage, scaled(prediction.trial, correction.factor), 0.0)[
+        0
+    ]
+    mean_ratio = 0.5 * (prediction.volume_ratio_0 + prediction.volume_ratio_1)
+    work = 0.5 * mean_ratio * (prediction.work + correction.factor * prediction.along_flow)
+    return stress, work, point.elastic_left_cauchy_green
+
+
+@stress_measure.register(HypoelasticPlastic)
+def _(update, volume_ratio):
+    return volume_ratio

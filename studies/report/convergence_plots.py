@@ -10,21 +10,20 @@ from studies.report.drawing import FAINT, METHOD_COLOURS, as_svg, drawing
 SHOWN = ("final_length", "foot_radius", "max_equivalent_plastic_strain", "max_temperature")
 
 
-def convergence_plots(comparison: Comparison) -> str:
+def convergence_plots(comparison: Comparison) -> list[str]:
     """One panel per leading quantity: values over 1/N, limit with its uncertainty at zero."""
     names = [name for name in SHOWN if any(name in of for of in comparison.limits.values())]
-    columns = 2
-    rows = -(-len(names) // columns)
-    with drawing(7.4, 2.7 * rows, rows=rows, columns=columns) as (figure, axes):
-        for ax, name in zip(axes.flat, names, strict=False):
-            _panel(ax, name, comparison)
-        for ax in axes.flat[len(names) :]:
-            ax.set_axis_off()
-        axes[0, 0].legend()
-        return as_svg(figure, "convergence", "Quantities against resolution")
+    return [_panel(name, comparison) for name in names]
 
 
-def _panel(ax, name: str, comparison: Comparison) -> None:
+def _panel(name: str, comparison: Comparison) -> str:
+    with drawing() as (figure, ax):
+        _show(ax, name, comparison)
+        ax.legend()
+        return as_svg(figure, f"convergence-{name}", f"{shown_name(name)} against resolution")
+
+
+def _show(ax, name: str, comparison: Comparison) -> None:
     for method, limits in comparison.limits.items():
         if name in limits:
             _sequence(ax, name, method, comparison)

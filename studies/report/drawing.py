@@ -45,9 +45,12 @@ STYLE = {
 }
 
 
+PANEL = (4.6, 3.1)  # inches; two stand side by side on a wide page, one above the other on a phone
+
+
 @contextmanager
-def drawing(width: float, height: float, rows: int = 1, columns: int = 1, **layout) -> Iterator[tuple]:
-    """A figure of width x height [inches] in the report's style; UnsupportedError without matplotlib."""
+def drawing(width: float = PANEL[0], height: float = PANEL[1]) -> Iterator[tuple]:
+    """A figure of width x height [inches] and its axes; UnsupportedError without matplotlib."""
     try:
         import matplotlib
         from matplotlib.figure import Figure
@@ -55,7 +58,7 @@ def drawing(width: float, height: float, rows: int = 1, columns: int = 1, **layo
         raise UnsupportedError("report.html needs matplotlib: pip install 'matpoint[report]'") from error
     with matplotlib.rc_context(STYLE):
         figure = Figure(figsize=(width, height), layout="constrained")
-        yield figure, figure.subplots(rows, columns, squeeze=False, **layout)
+        yield figure, figure.subplots()
 
 
 def as_svg(figure, name: str, alternative: str) -> str:

@@ -38,8 +38,7 @@ def _picture(name: str, runs: list[RunResult], wall: str) -> str:
 
     title, colours = FIELDS[name]
     half_width, top = _extent(runs)
-    with drawing(WIDTH, SCALE * top / half_width + 0.9) as (figure, axes):
-        ax = axes[0, 0]
+    with drawing(WIDTH, SCALE * top / half_width + 0.9) as (figure, ax):
         lowest, highest = _range(name, runs)
         for run, side in ((runs[0], -1.0), (runs[-1], 1.0)):
             drawn = PolyCollection(
@@ -47,8 +46,8 @@ def _picture(name: str, runs: list[RunResult], wall: str) -> str:
                 array=run.final.fields[name],
                 cmap=colours,
                 clim=(lowest, highest),
-                edgecolors="face",
-                linewidths=0.2,
+                linewidths=0.0,
+                antialiased=False,
                 rasterized=True,
             )
             ax.add_collection(drawn)

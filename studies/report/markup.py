@@ -21,9 +21,15 @@ def table(head: Iterable[str], rows: Iterable[Iterable[str]], words: tuple[int, 
     return f'<div class="wide"><table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table></div>'
 
 
-def figure(picture: str, caption: str) -> str:
-    """A figure with its caption."""
-    return f"<figure>{picture}<figcaption>{escape(caption)}</figcaption></figure>"
+def panels(pictures: Iterable[str], caption: str) -> str:
+    """Figures side by side where there is room, with one caption."""
+    inner = "".join(f"<figure>{picture}</figure>" for picture in pictures)
+    return f'<div class="pair">{inner}</div>{note(caption)}' if inner else ""
+
+
+def note(text: str) -> str:
+    """A remark in small print."""
+    return f'<p class="note">{escape(text)}</p>'
 
 
 def section(title: str, *content: str) -> str:

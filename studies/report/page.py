@@ -10,7 +10,7 @@ from studies.quantity_names import LEADING
 from studies.report.convergence_plots import convergence_plots
 from studies.report.field_pictures import field_pictures
 from studies.report.history_plots import energy_plots, history_plots
-from studies.report.markup import figure, items, section
+from studies.report.markup import items, note, panels, section
 from studies.report.page_tables import (
     cost_table,
     effects_table,
@@ -19,7 +19,7 @@ from studies.report.page_tables import (
     quantity_notes,
     references_table,
 )
-from studies.report.profile_plots import profile_plot
+from studies.report.profile_plots import profile_plots
 from studies.versions import processor, versions
 
 
@@ -64,49 +64,34 @@ def _results(comparison: Comparison) -> list[str]:
     if not comparison.finest:
         return []
     wall = f"Wall {comparison.wall}: {MEANING[comparison.wall]}."
-    pictures = "".join(f"<figure>{picture}</figure>" for picture in field_pictures(comparison))
+    profiles = f"Edges of the deformed domains, their feet set on z = 0; coarser runs thin. {wall}"
+    convergence = (
+        "N: elements or cells across the radius. Diamonds: limits with their uncertainty; "
+        f"grey: values from elsewhere. {wall}"
+    )
     return [
         section("In short", _verdicts(comparison)),
-        section(
-            "Final shapes",
-            f'<div class="pair">{pictures}</div>',
-            f'<p class="note">{escape(_ends(comparison))}</p>',
-        ),
-        section(
-            "Profiles",
-            figure(
-                profile_plot(comparison),
-                f"Edges of the deformed domains, set on z = 0; coarser runs thin. {wall}",
-            ),
-        ),
-        section(
-            "Quantities",
-            quantities_table(comparison),
-            f'<p class="note">{escape(_limits_note(comparison))}</p>',
-        ),
+        section("Final shapes", panels(field_pictures(comparison), _ends(comparison))),
+        section("Profiles", panels(profile_plots(comparison), profiles)),
+        section("Quantities", quantities_table(comparison), note(_limits_note(comparison))),
         section("Against values from elsewhere", references_table(comparison)),
-        section(
-            "Convergence",
-            figure(
-                convergence_plots(comparison),
-                "N: elements or cells across the radius. Diamonds: limits with their uncertainty; "
-                f"grey: values from elsewhere. {wall}",
-            ),
-        ),
-        section("Histories", figure(history_plots(comparison), wall)),
+        section("Convergence", panels(convergence_plots(comparison), convergence)),
+        section("Histories", panels(history_plots(comparison), wall)),
     ]
 
 
 def _accounts(comparison: Comparison) -> list[str]:
-    energies = energy_plots(comparison) if comparison.finest else ""
-    ledger = "Each dissipative term is integrated from its own power, none is the remainder."
+    ledger = (
+        "Energies in J; each dissipative term is integrated from its own power, none is the remainder. "
+        "The last three columns are relative errors of the balances."
+    )
     cost = (
         "Total counts everything: mesh, compilation, steps, output. Compilation is zero once the kernels are "
         "on disk. ns per point and step: stepping without compilation and output."
     )
     return [
-        section("Energy", figure(energies, ledger) if energies else "", ledger_table(comparison)),
-        section("Cost", cost_table(comparison), f'<p class="note">{cost}</p>'),
+        section("Energy", panels(energy_plots(comparison), ledger), ledger_table(comparison)),
+        section("Cost", cost_table(comparison), note(cost)),
         section("What was simulated, and what was not", effects_table(comparison)),
     ]
 
@@ -137,7 +122,7 @@ def _limits_note(comparison: Comparison) -> str:
     return " ".join(
         [
             "Limit: extrapolated to infinite resolution by least squares of f₀ + a hᵖ, with its uncertainty.",
-            "Heights count from the lowest point of the foot.",
+            "Heights count from the foot: the median over the inner half of its radius.",
             *quantity_notes(comparison),
         ]
     )

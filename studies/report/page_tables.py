@@ -94,11 +94,11 @@ def ledger_table(comparison: Comparison) -> str:
     """Where the energy went in every completed run, and how well mass, momentum and energy close."""
     head = [
         "Run",
-        *(f"{name} J" for name in ENERGIES),
-        "initial J",
-        "energy error",
-        "momentum error",
-        "mass error",
+        *ENERGIES,
+        "initial",
+        "energy",
+        "momentum",
+        "mass",
     ]
     rows = [
         [
@@ -143,7 +143,7 @@ def _heading(name: str, unit: str) -> str:
 
 
 def _limit(limit, unit: str) -> str:
-    return "–" if limit is None else f"{shown(limit.value, unit)} {plus_minus(limit.uncertainty, unit)}"
+    return "–" if limit is None else plus_minus(limit.value, limit.uncertainty, unit)
 
 
 def _nanoseconds(run: RunResult) -> str:

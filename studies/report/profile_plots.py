@@ -1,5 +1,7 @@
 """Final profiles laid over each other."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from studies.bar_shape import standing
@@ -12,19 +14,23 @@ MILLIMETRES = 1e3
 STYLES = {"fem-explicit": "-", "mpm": (0, (4, 1.5))}
 
 
-def profile_plot(comparison: Comparison) -> str:
-    """Whole half profiles, and the rim of the foot enlarged; coarser runs are drawn thin."""
-    with drawing(7.4, 3.9, columns=2, width_ratios=(1.0, 1.25)) as (figure, axes):
-        whole, rim = axes[0]
-        for ax in (whole, rim):
-            _draw(ax, comparison)
-            ax.axhline(0.0, color=INK, linewidth=1.4)
-            ax.set(xlabel="r [mm]", ylabel="z [mm]", aspect="equal")
-        whole.set_title(f"Half profiles, wall {comparison.wall}")
-        whole.set_xlim(left=0.0)
-        _enlarge(rim, comparison)
-        rim.legend(loc="upper right")
-        return as_svg(figure, "profiles", "Final half profiles of all runs")
+def profile_plots(comparison: Comparison) -> list[str]:
+    """The whole half profiles, and the rim of the foot enlarged; coarser runs are drawn thin."""
+    return [
+        _profiles(comparison, "Half profiles", _show_all),
+        _profiles(comparison, "The foot's rim", _show_rim),
+    ]
+
+
+def _profiles(comparison: Comparison, title: str, show: Callable) -> str:
+    with drawing() as (figure, ax):
+        _draw(ax, comparison)
+        ax.axhline(0.0, color=INK, linewidth=1.4)
+        ax.set(xlabel="r [mm]", ylabel="z [mm]", aspect="equal", anchor="W")
+        ax.set_title(f"{title}, wall {comparison.wall}")
+        show(ax, comparison)
+        ax.legend(loc="upper right")
+        return as_svg(figure, title, f"{title} of all runs")
 
 
 def _draw(ax, comparison: Comparison) -> None:
@@ -44,7 +50,11 @@ def _line(ax, run, **style) -> None:
     ax.plot(*line.T, color=METHOD_COLOURS[run.method], linestyle=STYLES[run.method], **style)
 
 
-def _enlarge(ax, comparison: Comparison) -> None:
+def _show_all(ax, comparison: Comparison) -> None:
+    top = max(run.final.outline["rear"][:, 1].max() for run in comparison.finest) * MILLIMETRES
+    ax.set(xlim=(0.0, 1.5 * top), ylim=(-0.03 * top, 1.05 * top))
+
+
+def _show_rim(ax, comparison: Comparison) -> None:
     radius = max(run.quantities["foot_radius"].value for run in comparison.finest) * MILLIMETRES
-    ax.set_title("The foot's rim")
-    ax.set(xlim=(0.72 * radius, 1.03 * radius), ylim=(-0.01 * radius, 0.21 * radius))
+    ax.set(xlim=(0.72 * radius, 1.03 * radius), ylim=(-0.01 * radius, 0.2 * radius))

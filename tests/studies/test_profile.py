@@ -55,6 +55,12 @@ def test_mean_height_weights_by_area():
     assert profile.mean_height(face[::-1]) == pytest.approx(2.0, rel=1e-14)
 
 
+def test_median_height_ignores_one_noisy_corner():
+    """A flat face with one corner out of place has the height of the flat part; what is outside does not count."""
+    face = np.array([[0.0, 1.0], [0.5, 0.2], [1.0, 1.0], [2.0, 1.0], [3.0, 1.0], [9.0, 5.0]])
+    assert profile.median_height(face, 3.0) == pytest.approx(1.0)
+
+
 def test_largest_radius_is_taken_where_a_line_folds():
     """A side that overhangs crosses a height more than once: the outermost crossing counts."""
     line = np.array([[2.0, 0.0], [3.0, 1.0], [2.5, 0.4], [1.0, 3.0]])

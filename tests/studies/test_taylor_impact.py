@@ -30,7 +30,7 @@ def test_a_wide_rear_is_not_the_foot():
 def test_a_standing_outline_touches_the_wall():
     """Moving an outline to z = 0 keeps its shape."""
     moved = bar_shape.standing(MUSHROOM)
-    assert bar_shape.lowest_point(moved) == 0.0
+    assert bar_shape.foot_height(moved) == 0.0
     assert bar_shape.length(moved) == pytest.approx(20.0)
 
 

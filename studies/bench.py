@@ -1,0 +1,107 @@
+"""The speed of this machine: point updates of law combinations, whole steps, start to the first step."""
+
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from statistics import median
+
+import numpy as np
+
+from core_models.material import Material
+from core_models.points import MaterialPoints
+from core_models.threads import Threads
+from studies.bench_materials import bench_materials
+from studies.display import number
+from studies.methods import METHODS, build_solver
+from studies.scene_reader import read_scene
+from studies.text_table import aligned
+from studies.versions import processor
+
+REPEATS = 7
+STEP = 2e-8  # s
+STRAIN_STEP = 2e-4  # at 1e4 1/s, as in an impact
+YIELDING_STEPS = 50  # after which every point is plastic
+WARM_UP_STEPS = 40
+TIMED_STEPS = 30
+RESOLUTION = 16
+SCENES = {
+    "taylor-classic": "J2, linear hardening",
+    "taylor-copper-jc": "Johnson-Cook, Mie-Grüneisen, damage",
+}
+FIRST_STEP = """
+from studies.methods import build_solver
+from studies.scene_reader import read_scene
+build_solver(read_scene("taylor-copper-jc"), "{method}", 8, "unilateral", 1).advance()
+"""
+
+
+def bench_text(points: int, threads: int) -> str:
+    """The speed table, warm; the first time, its kernels are compiled."""
+    rows = [["what", "", "median", "fastest"]]
+    rows += [
+        _row(name, "ns / point", 1e9 / points, _point_update(material, points, threads))
+        for name, material in bench_materials()
+    ]
+    rows += _whole_steps(threads)
+    rows += [
+        _row(
+            f"start of the process to the first step, {method}",
+            "s",
+            1.0,
+            [_first_step(method) for _ in range(3)],
+        )
+        for method in METHODS
+    ]
+    return f"{processor()}, threads: {threads}, {points} points\n\n{aligned(rows)}"
+
+
+def _row(name: str, unit: str, scale: float, seconds: list[float]) -> list[str]:
+    return [name, unit, number(scale * median(seconds), 3), number(scale * min(seconds), 3)]
+
+
+def _timed(call: Callable[[], object], repeats: int = REPEATS) -> list[float]:
+    call()
+    seconds = []
+    for _ in range(repeats):
+        began = time.perf_counter()
+        call()
+        seconds.append(time.perf_counter() - began)
+    return seconds
+
+
+def _point_update(material: Material, count: int, threads: int) -> list[float]:
+    """Seconds of one three-dimensional plastic update of all points."""
+    points = MaterialPoints(material, np.full(count, 1e-9), threads=Threads(threads))
+    random = np.random.default_rng(1)
+    gradient = STRAIN_STEP * (np.array([[0.3, 1.0, 0.2], [0.1, -0.5, 0.4], [0.0, 0.3, 0.1]]))
+    increment = np.eye(3) + gradient * random.uniform(0.9, 1.1, (count, 1, 1))
+    for _ in range(YIELDING_STEPS):
+        points.deformation_gradient[:] = increment @ points.old_deformation_gradient
+        points.advance(STEP)
+        points.accept()
+    points.deformation_gradient[:] = increment @ points.old_deformation_gradient
+    return _timed(lambda: points.advance(STEP))
+
+
+def _whole_steps(threads: int) -> Iterator[list[str]]:
+    units = {"fem-explicit": ("us / element", 4e6), "mpm": ("ns / particle", 1e9)}
+    for scene_name, laws in SCENES.items():
+        scene = read_scene(scene_name)
+        for method, (unit, scale) in units.items():
+            solver = build_solver(scene, method, RESOLUTION, "unilateral", threads)
+            for _ in range(WARM_UP_STEPS):
+                solver.advance()
+
+            def steps(solver=solver) -> None:
+                for _ in range(TIMED_STEPS):
+                    solver.advance()
+
+            per_point = scale / (TIMED_STEPS * solver.points.n)
+            yield _row(f"whole step, {method} {RESOLUTION}, {laws}", unit, per_point, _timed(steps))
+
+
+def _first_step(method: str) -> float:
+    began = time.perf_counter()
+    subprocess.run([sys.executable, "-c", FIRST_STEP.format(method=method)], check=True)
+    return time.perf_counter() - began

@@ -1,0 +1,42 @@
+"""A scene with the user's own mesh."""
+
+from dataclasses import replace
+
+import pytest
+
+from core_models.errors import MeshError, SceneError
+from meshes.io import write_mesh
+from meshes.taylor_bar import taylor_bar
+from studies.methods import check_run, resolutions_of
+from studies.running import run
+from studies.scene_reader import read_scene
+
+
+def with_mesh(classic, folder, radius=3.2e-3, foot_height=0.0):
+    """The classic scene with a mesh of four elements across."""
+    write_mesh(folder / "bar.msh", taylor_bar(radius, 32.4e-3, 4, foot_height=foot_height))
+    return replace(classic, mesh=folder / "bar.msh", resolutions={})
+
+
+def test_an_own_mesh_sets_the_resolution(classic, tmp_path):
+    """Both methods take the mesh's elements across by default; FEM refuses another number."""
+    scene = with_mesh(classic, tmp_path)
+    assert resolutions_of(scene, "fem-explicit") == resolutions_of(scene, "mpm") == (4,)
+    with pytest.raises(SceneError, match="leave the resolution out"):
+        check_run(scene, "fem-explicit", 8)
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [({"radius": 4e-3}, "radius"), ({"foot_height": -1e-3}, "below the wall")],
+)
+def test_a_mesh_that_is_not_the_bar_is_refused(classic, tmp_path, change, told):
+    """Another size than the cylinder's, or a place behind the wall, is an error with a remedy."""
+    with pytest.raises(MeshError, match=told):
+        resolutions_of(with_mesh(classic, tmp_path, **change), "mpm")
+
+
+def test_a_run_keeps_the_mesh_beside_its_scene(fake_solvers, classic, tmp_path):
+    """The run folder's scene.xml can be run again as it is."""
+    run(with_mesh(classic, tmp_path), "mpm", out=tmp_path / "out")
+    assert read_scene(tmp_path / "out/scene.xml").mesh == tmp_path / "out/bar.msh"
