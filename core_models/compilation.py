@@ -32,6 +32,11 @@ def inside_kernel(function: Callable) -> Callable:
     return register_jitable(error_model="numpy", boundscheck=False, forceinline=True)(function)
 
 
+def beside_kernel(function: Callable) -> Callable:
+    """Declare a function that kernels call rarely: it stays out of their loops, which keeps those short."""
+    return register_jitable(error_model="numpy", boundscheck=False)(function)
+
+
 def kernel(function: Callable) -> Callable:
     """Compile a range kernel: cached on disk, releases the interpreter lock, IEEE arithmetic without fast-math.
 

@@ -7,6 +7,7 @@ A law states what it needs as plain class attributes: `uses_temperature = True` 
 import math
 
 from core_models.dispatch import generic
+from core_models.status import OK
 
 
 @generic
@@ -61,6 +62,14 @@ def return_to_surface(
     -------
     (factor on the trial deviator, equivalent plastic strain increment, flow stress [Pa], hardening variable, status)
     """
+
+
+@return_to_surface.register(type(None))
+def _(
+    yield_condition, flow, trial, shear_3, stress_before, plastic_strain, hardening_variable, over_dt, temperature,
+    tolerance,
+):  # fmt: skip
+    return 1.0, 0.0, 0.0, hardening_variable, OK
 
 
 @generic

@@ -83,7 +83,7 @@ def _(update, material, f0, f1, point):
         equivalent_stress(before),
         shear * trace(b_trial),
         0.5 * shear * (trace(b_trial) - trace(b0)),
-        contract(trial, before),
+        0.0,
     )
     return OK, prediction, point.rotation, point.left_stretch
 
@@ -95,9 +95,9 @@ def _(update, material, prediction, correction, point):
     tau = eroded_stress(material.erosion, point.damage, scaled(trial, factor), 0.0)[0]
     work = prediction.work
     if correction.increment > 0.0:
-        # Trapezoidal rule: the part of the trial work that the return takes back, along the flow direction.
-        along_flow = 1.5 * prediction.along_flow / prediction.stress
-        work -= 0.5 * correction.increment * (prediction.stress - along_flow)
+        # Trapezoidal rule: the part of the trial work that the return takes back. With the equivalent stress before, not
+        # the old stress along the new flow direction, a rotation in the step changes nothing.
+        work -= 0.5 * correction.increment * (prediction.stress - prediction.stress_before)
     if factor == 1.0 and tau[0] == trial[0]:
         return tau, work, plus_isotropic(scaled(trial, over_shear), THIRD * prediction.shear_3 * over_shear)
     return tau, work, unimodular(scaled(tau, over_shear))

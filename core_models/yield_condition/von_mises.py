@@ -1,8 +1,9 @@
 """Von Mises yield condition and its radial return."""
 
+import math
 from typing import NamedTuple
 
-from core_models.compilation import inside_kernel
+from core_models.compilation import beside_kernel, inside_kernel
 from core_models.laws import evolve_hardening, flow_stress, return_to_surface
 from core_models.status import NOT_CONVERGED, OK
 
@@ -36,48 +37,66 @@ def _(
     yield_condition, flow, trial, shear_3, stress_before, plastic_strain, hardening_variable, over_dt, temperature,
     tolerance,
 ):  # fmt: skip
-    """Radial return: q_trial - 3 G dp = sigma_y(ep + dp, dp/dt, T), solved by Newton steps kept inside a bracket.
+    """Radial return: q_trial - 3 G dp = sigma_y(ep + dp, dp/dt, T).
 
-    The first guess lets the stress stay what it was. A Newton step is the last one, without another look at the flow
-    law, once its second-order remainder is below the tolerance. A step towards dp <= 0 asks whether there is a root
-    at all: there is none for q_trial <= sigma_y(ep, 0, T), the elastic case.
+    The first guess lets the stress stay what it was; in steady flow two Newton steps then do, and the second is taken
+    without another look at the flow law because its second-order remainder is below the tolerance. What is not so
+    simple goes to `_search`.
     """
-    over_shear = 1.0 / shear_3
-    low, high = 0.0, 2.0 * trial * over_shear  # the root is at trial / shear_3 at most
-    increment = (trial - stress_before) * over_shear
-    limit = tolerance * trial
-    is_plastic = False
-    for _iteration in range(MAXIMUM_ITERATIONS):
-        if increment <= low or increment >= high:
-            if not is_plastic:
-                yield_stress = flow_stress(flow, hardening_variable, plastic_strain, 0.0, temperature)[0]
-                if trial <= yield_stress:
-                    return 1.0, 0.0, yield_stress, hardening_variable, OK
-                is_plastic = True
-            increment = 0.5 * (low + high)
+    increment = (trial - stress_before) / shear_3
+    if increment > 0.0:
         residual, slope, stress, variable, variable_slope = _consistency(
             flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, increment
         )
-        if abs(residual) <= limit:
+        increment -= residual / slope
+        if increment > 0.0:
+            residual, slope, stress, variable, variable_slope = _consistency(
+                flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, increment
+            )
+            step = -residual / slope
+            hardening = -(slope + shear_3) * step
+            if abs(hardening * step) <= tolerance * trial * increment and abs(step) < increment:
+                stress += hardening
+                return stress / trial, increment + step, stress, variable + variable_slope * step, OK
+    return _search(
+        flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, tolerance, increment
+    )
+
+
+@beside_kernel
+def _search(
+    flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, tolerance, increment
+):
+    """The root by Newton steps from a guess, or the elastic case.
+
+    The residual falls with dp, steeply near 0 where the rate dependence is logarithmic. From its positive side Newton
+    steps in dp cannot overshoot, from its negative side steps in ln dp cannot; a bracket guards laws that are neither.
+    There is no root for q_trial <= sigma_y(ep, 0, T), the elastic case.
+    """
+    yield_stress = flow_stress(flow, hardening_variable, plastic_strain, 0.0, temperature)[0]
+    if trial <= yield_stress:
+        return 1.0, 0.0, yield_stress, hardening_variable, OK
+    low, high = 0.0, 2.0 * trial / shear_3  # the root is at trial / shear_3 at most
+    if not 0.0 < increment < high:
+        increment = (trial - yield_stress) / shear_3
+    limit = tolerance * trial
+    for _iteration in range(MAXIMUM_ITERATIONS):
+        residual, slope, stress, variable, variable_slope = _consistency(
+            flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, increment
+        )
+        if abs(residual) <= limit or high - low <= 1e-15 * high:
             return stress / trial, increment, stress, variable, OK
-        if residual > 0.0:
-            low = increment
-        else:
-            high = increment
         step = -residual / slope
         hardening = -(slope + shear_3) * step
-        if low < increment + step < high and abs(hardening * step) <= limit * increment:
+        if abs(hardening * step) <= limit * increment and abs(step) < increment:
             stress += hardening
             return stress / trial, increment + step, stress, variable + variable_slope * step, OK
-        if high - low <= 1e-15 * high:
-            return stress / trial, increment, stress, variable, OK
-        increment += step
+        if residual > 0.0:
+            low = increment
+            increment += step
+        else:
+            high = increment
+            increment *= math.exp(step / increment)
+        if not low < increment < high:
+            increment = 0.5 * (low + high)
     return 1.0, 0.0, 0.0, hardening_variable, NOT_CONVERGED
-
-
-@return_to_surface.register(type(None))
-def _(
-    yield_condition, flow, trial, shear_3, stress_before, plastic_strain, hardening_variable, over_dt, temperature,
-    tolerance,
-):  # fmt: skip
-    return 1.0, 0.0, 0.0, hardening_variable, OK

@@ -113,7 +113,13 @@ STIFF_STRETCHES = [1.0, 1.001810424, 1.002252533, 1.00044131, 0.998192848, 1.0]
     ("bulk", "shear", "stretches", "axial", "lateral"),
     [
         (79e9, 70e9, STRETCHES, [351.79, 674.31, -29.27, -351.79, 0.0], [66.00, 388.52, 256.52, -66.00, 0.0]),
-        (10e9, 79e9, STIFF_STRETCHES, [208.61, 213.03, 4.41, -208.61, 0.0], [-77.18, -72.76, 4.41, 77.18, 0.0]),
+        (
+            10e9,
+            79e9,
+            STIFF_STRETCHES,
+            [208.61, 213.03, 4.41, -208.61, 0.0],
+            [-77.18, -72.76, 4.41, 77.18, 0.0],
+        ),
     ],
 )
 def test_loading_cycle_in_uniaxial_strain(metal, bulk, shear, stretches, axial, lateral):
@@ -147,8 +153,8 @@ def test_rotating_stress_path_at_constant_volume(metal, update, tolerance):
 def test_nafems_plane_strain_path(metal, update, modulus, printed):
     """Equivalent stress [MPa] at the corners of NAFEMS' plasticity benchmark NL1, with 1000 substeps a segment."""
     material = metal(update, 250e9 / 1.5, 100e9, 5e6, modulus)
-    corners = [(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 2), (0, 1), (0, 0)]
-    strains = 0.25e-4 * np.array([np.interp(np.arange(8001), np.arange(9) * 1000, axis) for axis in zip(*corners)])
+    corners = np.array([(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 2), (0, 1), (0, 0)])
+    strains = [np.interp(np.arange(8001), np.arange(0, 8001, 1000), 0.25e-4 * corner) for corner in corners.T]
     stress = drive(material, principal_stretches(*np.exp(strains), np.ones(8001)), 1e-3).stress[1000::1000]
     deviator = stress[:, :3] - stress[:, :3].mean(axis=1, keepdims=True)
     assert np.sqrt(1.5 * (deviator**2).sum(axis=1)) / 1e6 == pytest.approx(printed, abs=2e-3)

@@ -47,7 +47,10 @@ def test_elastic_work_is_the_stored_energy(pool):
 
 def test_a_closed_elastic_cycle_gives_all_work_back(pool):
     """There and back by another way: no stress, no work left in the hyperelastic update."""
-    there, back = bent_path(400), principal_stretches(*np.linspace(np.ones(3), bent_path(1)[-1].diagonal(), 401).T)
+    there, back = (
+        bent_path(400),
+        principal_stretches(*np.linspace(np.ones(3), bent_path(1)[-1].diagonal(), 401).T),
+    )
     back[:, 0, 1] = np.linspace(0.0, bent_path(1)[-1][0, 1], 401)
     history = drive(pool["hyper-elastic"], np.vstack([there, back[::-1][1:]]), 1e-6)
     assert np.abs(history.stress[-1]).max() < 1e-12 * SHEAR
@@ -63,7 +66,9 @@ def test_plastic_work_is_stored_or_dissipated(pool):
     assert abs(rest) < 4e-4 * history.plastic[-1]
 
 
-@pytest.mark.parametrize("name", ["hypo-elastic", "hypo-linear", "hyper-linear", "hypo-jc-hot", "hyper-mts-hot"])
+@pytest.mark.parametrize(
+    "name", ["hypo-elastic", "hypo-linear", "hyper-linear", "hypo-jc-hot", "hyper-mts-hot"]
+)
 def test_work_is_that_of_the_nodal_forces(pool, name):
     """The ledger's work of the stress is the integral of P : dF, which is what the nodes of a mesh feel."""
     path = bent_path(2000)
@@ -115,8 +120,12 @@ def test_viscous_work_is_energy_and_heat(pool):
 def test_viscous_pressure_has_the_stated_size(pool):
     """q = rho h |tr d| (0.06 c + 1.44 h |tr d|), with the wave speed of the point."""
     ratio, dt, length = 0.999, 1e-8, 1e-3
-    history = drive(pool["hypo-jc-hot"], uniaxial_strain([1.0, ratio]), dt, viscosity=BulkViscosity(), length=length)
+    history = drive(
+        pool["hypo-jc-hot"], uniaxial_strain([1.0, ratio]), dt, viscosity=BulkViscosity(), length=length
+    )
     speed = length * 2.0 * (1.0 - ratio) / (dt * (1.0 + ratio))
     expected = DENSITY / ratio * speed * (0.06 * history.wave_speed[1] + 1.44 * speed)
     assert history.fields["viscous_pressure"][1] == pytest.approx(expected, rel=2e-3)
-    assert history.viscous[1] == pytest.approx(history.fields["viscous_pressure"][1] * (1.0 - ratio), rel=1e-12)
+    assert history.viscous[1] == pytest.approx(
+        history.fields["viscous_pressure"][1] * (1.0 - ratio), rel=1e-12
+    )

@@ -17,7 +17,8 @@ EVERY_LAW = [COPPER, NeoHookean(136e9), DefaultHypoelastic(136e9)]
 
 
 @pytest.mark.parametrize(
-    ("ratio", "printed"), [(0.99, -1.414053), (0.95, -7.682616), (0.9, -17.20451), (0.8, -44.86990), (1.01, 1.386257)]
+    ("ratio", "printed"),
+    [(0.99, -1.414053), (0.95, -7.682616), (0.9, -17.20451), (0.8, -44.86990), (1.01, 1.386257)],
 )
 def test_cold_curve_of_copper(ratio, printed):
     """Without energy the Mie-Grüneisen mean stress follows the worked values, also in tension."""
@@ -25,7 +26,8 @@ def test_cold_curve_of_copper(ratio, printed):
 
 
 @pytest.mark.parametrize(
-    ("speed", "printed"), [(50, 1.7925), (100, 3.6514), (200, 7.5687), (300, 11.752), (500, 20.916), (1000, 48.481)]
+    ("speed", "printed"),
+    [(50, 1.7925), (100, 3.6514), (200, 7.5687), (300, 11.752), (500, 20.916), (1000, 48.481)],
 )
 def test_shock_states_lie_on_the_hugoniot(speed, printed):
     """With the energy that a shock brings the pressure is rho_0 U_s u_p, for any gamma."""

@@ -18,9 +18,9 @@ STATE = st.tuples(
 
 def difference(function, x, step):
     """Central difference of fourth order."""
-    return (8.0 * (function(x + step) - function(x - step)) - function(x + 2 * step) + function(x - 2 * step)) / (
-        12.0 * step
-    )
+    return (
+        8.0 * (function(x + step) - function(x - step)) - function(x + 2 * step) + function(x - 2 * step)
+    ) / (12.0 * step)
 
 
 def crosses_a_kink(value, *kinks):
@@ -43,7 +43,9 @@ def test_slopes_are_derivatives(flow_laws, name, variable, state):
 
     value, *slopes = flow_stress(law, *state)
     measured = difference(stress, state[variable], 1e-3 * state[variable])
-    assert slopes[variable] * state[variable] == pytest.approx(measured * state[variable], rel=1e-3, abs=1e-5 * value)
+    assert slopes[variable] * state[variable] == pytest.approx(
+        measured * state[variable], rel=1e-3, abs=1e-5 * value
+    )
 
 
 @settings(max_examples=60, deadline=None)

@@ -1,6 +1,7 @@
 """Flow stresses against tables that were worked out apart from this code.
 
-Tables: rows of plastic strain and of the stress [MPa] at each rate [1/s] and temperature [K]. A value is right within 1e-4 of itself or half a unit of its last printed digit, whichever is larger.
+Tables: rows of plastic strain and of the stress [MPa] at each rate [1/s] and temperature [K]. A value is right within
+1e-4 of itself or half a unit of its last printed digit, whichever is larger.
 """
 
 import numpy as np
@@ -157,7 +158,9 @@ def test_adiabatic_johnson_cook_curve(rate, start, density, capacity, printed):
         temperature += 0.9 * mean * (after - before) / (density * capacity)
         stresses.append(flow_stress(OFHC, 0.0, after, rate, temperature)[0])
         temperatures.append(temperature)
-    for strain, stress, kelvin in zip((0.1, 0.3, 0.5, 1.0), printed.split()[::2], printed.split()[1::2], strict=True):
+    for strain, stress, kelvin in zip(
+        (0.1, 0.3, 0.5, 1.0), printed.split()[::2], printed.split()[1::2], strict=True
+    ):
         row = round(strain * 4000) - 1
         assert_printed(stresses[row], stress)
         assert temperatures[row] == pytest.approx(float(kelvin), abs=0.005)

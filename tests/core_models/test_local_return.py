@@ -13,7 +13,15 @@ from core_models.flow.voce import Voce
 from core_models.laws import flow_stress
 from core_models.paths import isochoric_tension, simple_shear
 
-NAMES = ["hypo-linear", "hyper-linear", "hypo-power", "hyper-voce", "hypo-jc-hot", "hyper-jc-hot", "hyper-mts-hot"]
+NAMES = [
+    "hypo-linear",
+    "hyper-linear",
+    "hypo-power",
+    "hyper-voce",
+    "hypo-jc-hot",
+    "hyper-jc-hot",
+    "hyper-mts-hot",
+]
 
 
 def equivalent(stress):
@@ -39,7 +47,9 @@ def strengths(material, history, row, dt):
     temperature = history.fields.get("temperature", zeros)[row - 1]
     increment, round_off = strain[row] - strain[row - 1], 4e-16 * strain[row]
     return [
-        flow_stress(material.flow, variable, strain[row], max(increment + sign * round_off, 0.0) / dt, temperature)[0]
+        flow_stress(
+            material.flow, variable, strain[row], max(increment + sign * round_off, 0.0) / dt, temperature
+        )[0]
         for sign in (-1.0, 1.0)
     ]
 

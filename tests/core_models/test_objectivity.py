@@ -36,7 +36,13 @@ def test_a_turned_path_turns_the_stress_and_nothing_else(pool, name):
     assert still.fields["equivalent_plastic_strain"][-1] > 0.5
     expected = spin @ tensors(still.stress) @ spin.transpose(0, 2, 1)
     assert tensors(moving.stress) == pytest.approx(expected, abs=1e-11 * np.abs(expected).max())
-    for field in ("equivalent_plastic_strain", "temperature", "hardening_variable", "damage", "internal_energy"):
+    for field in (
+        "equivalent_plastic_strain",
+        "temperature",
+        "hardening_variable",
+        "damage",
+        "internal_energy",
+    ):
         if field in still.fields:
             scale = np.abs(still.fields[field]).max()
             assert moving.fields[field] == pytest.approx(still.fields[field], abs=1e-11 * scale)

@@ -6,11 +6,26 @@ import pytest
 from core_models.driver import drive
 from core_models.flow.johnson_cook import JohnsonCook
 from core_models.heating.taylor_quinney import TaylorQuinney
-from core_models.paths import isochoric_tension, principal_stretches, simple_shear
+from core_models.paths import isochoric_tension, principal_stretches, rotations, simple_shear
 from core_models.specific_heat.constant import ConstantSpecificHeat
 
-PLASTIC = ["hypo-linear", "hyper-linear", "hypo-power", "hyper-voce", "hypo-jc-hot", "hyper-jc-hot", "hyper-mts-hot"]
-RATE_INDEPENDENT = ["hypo-elastic", "hyper-elastic", "hypo-linear", "hyper-linear", "hypo-power", "hyper-voce"]
+PLASTIC = [
+    "hypo-linear",
+    "hyper-linear",
+    "hypo-power",
+    "hyper-voce",
+    "hypo-jc-hot",
+    "hyper-jc-hot",
+    "hyper-mts-hot",
+]
+RATE_INDEPENDENT = [
+    "hypo-elastic",
+    "hyper-elastic",
+    "hypo-linear",
+    "hyper-linear",
+    "hypo-power",
+    "hyper-voce",
+]
 
 
 def deviatoric_size(stress):
@@ -50,7 +65,8 @@ def test_a_rate_dependent_point_relaxes_to_its_static_strength(pool, update):
     fast, slow = (drive(material, path, [1e-7] * 20 + [hold] * 30) for hold in (1e-4, 1e3))
     held = [deviatoric_size(history.stress[-1]) for history in (fast, slow)]
     moving = deviatoric_size(fast.stress[20])
-    assert 0.8 * moving < held[1] <= held[0] < moving
+    assert 0.7 * moving < held[1] < 0.8 * moving
+    assert held[0] == pytest.approx(held[1], rel=1e-4)
 
 
 @pytest.mark.parametrize("name", ["hypo-jc-hot", "hyper-jc-hot", "hyper-mts-hot"])
@@ -101,10 +117,7 @@ def test_updates_agree_for_small_elastic_strain(pool, pair):
     """With elastic strains of 1e-4 the two updates differ by 1e-4, also through large rotations."""
     steps = np.linspace(0.0, 1.0, 101)
     strain = np.exp(np.outer(steps, [1e-4, -2e-4, 0.5e-4]))
-    angle = 2.0 * steps
-    spin = np.zeros((101, 3, 3))
-    spin[:, 0, 0], spin[:, 0, 1], spin[:, 1, 0], spin[:, 1, 1] = np.cos(angle), -np.sin(angle), np.sin(angle), np.cos(angle)
-    spin[:, 2, 2] = 1.0
+    spin = rotations([0.0, 0.0, 1.0], 2.0 * steps)
     one, other = (drive(pool[name], spin @ principal_stretches(*strain.T), 1e-6).stress for name in pair)
     assert one == pytest.approx(other, abs=4e-4 * np.abs(one).max())
 
@@ -121,7 +134,9 @@ def test_updates_agree_in_the_plastic_range(pool):
 def test_states_converge_with_the_step(pool, name):
     """Halving the step at least halves the error of the stress at the end of a bent plastic path."""
     fine = drive(pool[name], bent_path(6400), 1e-3 / 6400).stress[-1]
-    errors = [np.abs(drive(pool[name], bent_path(n), 1e-3 / n).stress[-1] - fine).max() for n in (50, 100, 200, 400)]
+    errors = [
+        np.abs(drive(pool[name], bent_path(n), 1e-3 / n).stress[-1] - fine).max() for n in (50, 100, 200, 400)
+    ]
     assert errors[-1] < 5e-3 * np.abs(fine).max()
     assert np.log2(errors[0] / errors[-1]) / 3.0 > 0.95
 
@@ -142,6 +157,11 @@ def test_adiabatic_tension_follows_the_curve_of_johnson_cook(hot_copper):
     history = drive(material, isochoric_tension(np.exp(np.linspace(0.0, 1.02, 10201))), 1e-8)
     strain = history.fields["equivalent_plastic_strain"]
     strength = history.stress[:, 0] - history.stress[:, 1]
-    for ep, mpa, kelvin in [(0.1, 285.58, 300.41), (0.3, 352.47, 317.39), (0.5, 388.38, 336.89), (1.0, 435.22, 391.34)]:
+    for ep, mpa, kelvin in [
+        (0.1, 285.58, 300.41),
+        (0.3, 352.47, 317.39),
+        (0.5, 388.38, 336.89),
+        (1.0, 435.22, 391.34),
+    ]:
         assert np.interp(ep, strain, strength) / 1e6 == pytest.approx(mpa, rel=5e-4)
         assert np.interp(ep, strain, history.fields["temperature"]) == pytest.approx(kelvin, abs=0.1)

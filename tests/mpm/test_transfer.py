@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from mpm.grid import FORCE_R, FORCE_Z, MASS
+
 CELL = 0.4e-3
 ROUND_OFF = 1e-12
 
@@ -37,7 +39,7 @@ def test_mass_on_the_grid_is_the_exact_mass(build, bar, elastic, gap):
     """The nodes' masses sum to the particles', also at axis and wall."""
     solver = build("mpm", bar(3, 5, gap=gap), elastic)
     solver.advance()
-    assert solver._grid.sums[:, :, 0].sum() == pytest.approx(solver.mass, rel=1e-14)
+    assert solver._grid.sums[:, :, MASS].sum() == pytest.approx(solver.mass, rel=1e-14)
 
 
 @pytest.mark.parametrize("transfer", ["apic", "flip"])
@@ -90,6 +92,22 @@ def test_stress_of_a_uniform_deformation_is_uniform(hovering, elastic):
     stress = solver.points.fields()["stress"].array
     assert np.abs(stress).max() > 1e-3 * elastic.elasticity.bulk_modulus
     assert np.abs(stress - stress[0]).max() < 1e-12 * elastic.elasticity.bulk_modulus
+
+
+def test_nodal_forces_do_the_power_of_the_stress(hovering):
+    """Forces times velocities of the nodes are minus stress times rate of the particles, also at the axis."""
+    solver = hovering()
+    stir(solver)
+    for _ in range(3):
+        solver.advance()
+    stress, volumes, dt = solver.points.old.stress.copy(), solver.point_volumes(), solver.time_step
+    before = solver.points.old_deformation_gradient.copy()
+    solver.advance()
+    velocity_gradient = (solver.points.old_deformation_gradient @ np.linalg.inv(before) - np.eye(3)) / dt
+    rates = velocity_gradient[:, [0, 1, 2, 0, 1], [0, 1, 2, 1, 0]]
+    powers = volumes[:, None] * stress[:, [0, 1, 2, 3, 3]] * rates
+    nodal = (solver._grid.sums[:, :, FORCE_R : FORCE_Z + 1] * solver._grid.after).sum()
+    assert nodal == pytest.approx(-powers.sum(), abs=1e-11 * np.abs(powers).sum())
 
 
 def test_flip_without_pic_keeps_velocities_that_no_force_changes(hovering):
