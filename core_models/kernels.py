@@ -101,7 +101,8 @@ def advance_points(
                 add_balance(sums, chunk, volumes[i], balance)
                 wave_speed[i] = balance.wave_speed
                 write(viscous, i, balance.viscous_pressure)
-                if not math.isfinite(balance.stress_work + balance.viscous + balance.wave_speed):
+                energies = balance.stress_work + balance.viscous
+                if not math.isfinite(energies + balance.wave_speed + point.temperature + point.damage):
                     statuses[k] = NOT_FINITE
             if statuses[k] != OK and failures[chunk, 0] == OK:
                 failures[chunk, 0] = statuses[k]

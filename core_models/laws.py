@@ -112,12 +112,12 @@ def _(specific_heat, temperature):
 
 
 @generic
-def heated_fraction(heating):
-    """Fraction of the plastic work that becomes heat [-]."""
+def generated_heat(heating, dissipation, viscous_work):
+    """Heat [J/m^3] that the plastic dissipation and the work of the bulk viscosity leave in the material."""
 
 
-@heated_fraction.register(type(None))
-def _(heating):
+@generated_heat.register(type(None))
+def _(heating, dissipation, viscous_work):
     return 0.0
 
 

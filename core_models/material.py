@@ -12,8 +12,8 @@ from core_models.laws import (
     elastic_moduli,
     eroded_stress,
     flow_stress,
+    generated_heat,
     heat_capacity,
-    heated_fraction,
     melting_temperature,
     pressure,
     return_to_surface,
@@ -30,7 +30,7 @@ SLOTS = {
     "damage": damage_increment,
     "melting": melting_temperature,
     "specific_heat": heat_capacity,
-    "heating": heated_fraction,
+    "heating": generated_heat,
     "erosion": eroded_stress,
 }
 EMPTY_SLOTS = ("shear_modulus", "kinematic_hardening", "stability")

@@ -40,7 +40,8 @@ class Field(NamedTuple):
 
 class Work(NamedTuple):
     """What a step did to all points: work of the stress, plastic and viscous dissipation [J]; and the largest wave
-    speed [m/s] and viscous pressure [Pa]."""
+    speed [m/s] and viscous pressure [Pa].
+    """
 
     stress: float
     plastic: float
@@ -63,7 +64,7 @@ class MaterialPoints:
 
     Parameters
     ----------
-    material : laws. reference_volumes : (n,) [m^3]. temperature : initial [K]; None for the material's room temperature.
+    material : laws. reference_volumes : (n,) [m^3]. temperature : initial [K], None for the card's room temperature.
     viscosity : bulk viscosity or None. threads : worker threads.
 
     `advance` reads the state `old` and writes `new`; `accept` makes the new state the old one. A step that is
@@ -90,6 +91,7 @@ class MaterialPoints:
         self.old_deformation_gradient = np.tile(np.eye(3), (self.n, 1, 1))
         self.deformation_gradient = self.old_deformation_gradient.copy()
         self.viscous_pressure = None if viscosity is None else np.zeros(self.n)
+        self._new_viscous_pressure = None if viscosity is None else np.zeros(self.n)
         self.lengths = None if viscosity is None else np.zeros(self.n)
         self.wave_speed = np.full(self.n, initial_wave_speed(material))
         chunks = -(-self.n // CHUNK)
@@ -103,9 +105,9 @@ class MaterialPoints:
         Raises PointFailure naming the first point that cannot follow.
         """
         self.threads.run_with(
-            advance_points, len(self._sums), self._workspaces, self.model, self.viscosity, self.old_deformation_gradient,
-            self.deformation_gradient, dt, self.reference_volumes, self.lengths, self.old, self.new, self.wave_speed,
-            self.viscous_pressure, self._sums, self._failures,
+            advance_points, len(self._sums), self._workspaces, self.model, self.viscosity,
+            self.old_deformation_gradient, self.deformation_gradient, dt, self.reference_volumes, self.lengths,
+            self.old, self.new, self.wave_speed, self._new_viscous_pressure, self._sums, self._failures,
         )  # fmt: skip
         bad = np.flatnonzero(self._failures[:, 0] != OK)
         if bad.size:
@@ -119,6 +121,7 @@ class MaterialPoints:
     def accept(self) -> None:
         """Make the new state the old one."""
         self.old, self.new = self.new, self.old
+        self.viscous_pressure, self._new_viscous_pressure = self._new_viscous_pressure, self.viscous_pressure
         self.old_deformation_gradient, self.deformation_gradient = (
             self.deformation_gradient,
             self.old_deformation_gradient,
@@ -139,12 +142,16 @@ class MaterialPoints:
             arrays["viscous_pressure"] = ("Pa", self.viscous_pressure)
         return {name: Field(name, unit, array.shape[1:], array) for name, (unit, array) in arrays.items()}
 
+    def place(self, step: int, time: float, point: int) -> str:
+        """Step, time, point, material and laws, for error messages."""
+        laws = ", ".join(type(law).__name__ for law in self.material.laws)
+        return f"step {step}, t = {time:.6e} s, point {point} (material {self.material.name}: {laws})"
+
     def failure(self, reason: PointFailure, step: int, time: float) -> RunFailure:
         """The error that ends a run: names step, time, point, law and what to try."""
-        laws = ", ".join(type(law).__name__ for law in self.material.laws)
         return RunFailure(
-            f"step {step}, t = {time:.6e} s, point {reason.point}: {reason} even after the step was made smaller "
-            f"(material {self.material.name}: {laws}); try a finer resolution or a smaller time step"
+            f"{self.place(step, time, reason.point)}: {reason} even after the step was made smaller; "
+            "try a finer resolution or a smaller time step"
         )
 
 

@@ -1,6 +1,7 @@
 """The policy for steps that go wrong: redo smaller a few times, then give up with a typed error."""
 
 import logging
+from collections.abc import Callable
 
 from core_models.errors import RunFailure
 from core_models.points import PointFailure
@@ -12,20 +13,21 @@ REDUCTION = 0.25
 VANISHING_STEP = 1e-6  # of the first step's size: below it a run would not come to an end
 
 
-def redoing(attempt, dt: float, smallest: float, explain) -> float:
+def redoing(attempt, dt: float, smallest: float, place: Callable[[], str], explain: Callable) -> float:
     """Call attempt(dt) until it does not raise PointFailure, each time with a quarter of the step.
 
     Parameters
     ----------
     attempt : takes dt [s]; must leave everything as it was when it raises. smallest : step not to go below [s].
-    explain : turns the last PointFailure into the RunFailure that ends the run.
+    place : says step, time, point and laws, for the message about a vanishing step. explain : turns the last
+    PointFailure into the RunFailure that ends the run.
 
     Returns the step that worked [s].
     """
     for redo in range(MAXIMUM_REDOS + 1):
         if not dt > smallest:
             raise RunFailure(
-                f"the time step has shrunk to {dt:.3e} s: an element or cell is crushed beyond use; "
+                f"{place()}: the time step has shrunk to {dt:.3e} s: an element or cell is crushed beyond use; "
                 "try a coarser mesh at the foot or the material point method"
             )
         try:

@@ -13,8 +13,8 @@ import math
 
 from core_models.compilation import inside_kernel
 from core_models.tensors import (
-    determinant,
     IDENTITY,
+    determinant,
     inverse,
     product,
     product_transposed,
@@ -61,7 +61,7 @@ def polar_rotation(f):
 
 @inside_kernel
 def planar_increment(a):
-    """Increment and stretch of a = V Q with the third axis fixed, in closed form: tan(angle) = (a21 - a12) / (a11 + a22)."""
+    """Increment and stretch of a = V Q about the third axis, in closed form: tan(angle) = (a21 - a12) / (a11 + a22)."""
     c, s = a[0] + a[4], a[3] - a[1]
     h = 1.0 / math.sqrt(c * c + s * s)
     c, s = c * h, s * h
@@ -131,4 +131,10 @@ def rotation_increment(f, rotation):
         step = symmetrising_rotation(solver, x, y, z)
         a = product_transposed(a, step)
         q = product(step, q) if increment > 0 else step
-    return q, symmetric_part(a)
+    v = symmetric_part(a)
+    if v[0] > 0.0 and v[0] * v[1] > v[3] * v[3]:
+        return q, v
+    # A large stretch and a large rotation in one step: the increments have found another symmetric V.
+    a = product_transposed(f, rotation)
+    q = polar_rotation(a)
+    return q, symmetric_part(product_transposed(a, q))

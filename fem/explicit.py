@@ -3,6 +3,7 @@
 import numpy as np
 
 from core_models.bulk_viscosity import BulkViscosity
+from core_models.laws import elastic_moduli
 from core_models.ledger import EnergyLedger
 from core_models.material import Material
 from core_models.points import MaterialPoints, PointFailure
@@ -62,6 +63,7 @@ class ExplicitSolver:
         self._next = tuple(
             a.copy() for a in (self.positions, self.velocities, self._held, self._volume_ratio)
         )
+        self._shear_modulus = elastic_moduli(material.elasticity)[1]
         self._corner_forces = np.zeros((elements, 4, 2))
         chunks = -(-elements // ELEMENT_CHUNK)
         self._failures = np.zeros((chunks, 2), dtype=np.int64)
@@ -86,6 +88,7 @@ class ExplicitSolver:
             self._attempt,
             self.time_step,
             VANISHING_STEP * self._first_step,
+            lambda: self.points.place(self.step_count + 1, self.time, int(self.point_volumes().argmin())),
             lambda reason: self.points.failure(reason, self.step_count + 1, self.time),
         )
         self._resist()
@@ -129,8 +132,8 @@ class ExplicitSolver:
         points = self.points
         self.threads.run(
             resist, len(self._steps), self.tables, self.positions, self._volume_ratio, points.old.stress,
-            points.viscous_pressure, points.wave_speed, points.viscosity, self.material.density, self._corner_mass,
-            self._corner_forces, self._steps,
+            points.viscous_pressure, points.wave_speed, points.viscosity, self.material.density,
+            self._shear_modulus, self._corner_mass, self._corner_forces, self._steps,
         )  # fmt: skip
 
     def _stable_step(self) -> float:

@@ -91,7 +91,7 @@ def current_area(tables, x, e):
 
 @kernel
 def resist(
-    first, last, tables, x, volume_ratio, stress, viscous, wave_speed, viscosity, density, corner_mass,
+    first, last, tables, x, volume_ratio, stress, viscous, wave_speed, viscosity, density, shear, corner_mass,
     corner_forces, steps,
 ):  # fmt: skip
     """Internal forces of the elements and the largest stable step of each chunk.
@@ -99,11 +99,12 @@ def resist(
     Parameters
     ----------
     x : (nodes, 2) positions [m]. volume_ratio (4 m,), stress (4 m, 6) [Pa], viscous (4 m,) [Pa] or None,
-    wave_speed (4 m,) [m/s] : of the points. corner_mass : (m, 4) [kg].
+    wave_speed (4 m,) [m/s] : of the points. shear : modulus [Pa]. corner_mass : (m, 4) [kg].
     corner_forces : (m, 4, 2) [N], written: - d(energy)/d(position). steps : (chunks,) [s], written.
 
-    The step is 2 / omega with Gershgorin-like bounds of the element's largest frequency: the dilatational mode is
-    rank one and exact, the deviatoric part is bounded through the scalar stiffness of the gradients.
+    The step is 2 / omega with a bound of the element's largest frequency: K times the dilatational mode, which is rank
+    one and exact, plus 2 G times a bound of the deviatoric part through the scalar stiffness of the gradients. Nodes on
+    the axis cannot move along r, which matters: their mass is small and 1 / r is large.
     """
     elements = tables.nodes.shape[0]
     for chunk in range(first, last):
@@ -112,7 +113,7 @@ def resist(
             steps[chunk] = min(
                 steps[chunk],
                 element_resistance(
-                    tables, x, volume_ratio, stress, viscous, wave_speed, viscosity, density, corner_mass,
+                    tables, x, volume_ratio, stress, viscous, wave_speed, viscosity, density, shear, corner_mass,
                     corner_forces, e,
                 ),
             )  # fmt: skip
@@ -120,7 +121,18 @@ def resist(
 
 @inside_kernel
 def element_resistance(
-    tables, x, volume_ratio, stress, viscous, wave_speed, viscosity, density, corner_mass, corner_forces, e
+    tables,
+    x,
+    volume_ratio,
+    stress,
+    viscous,
+    wave_speed,
+    viscosity,
+    density,
+    shear,
+    corner_mass,
+    corner_forces,
+    e,
 ):
     """Internal forces of element e; returns its stable step [s]."""
     volume, reference, mean, speed, largest_viscous = 0.0, 0.0, 0.0, 0.0, 0.0
@@ -160,10 +172,11 @@ def element_resistance(
             corner_forces[e, k, 0] -= t_rr * gr + t_rz * gz + t_hoop * gt
             corner_forces[e, k, 1] -= t_rz * gr + t_zz * gz
             over_m = w / corner_mass[e, k]
-            scalar_rr += over_m * (gr * gr + gt * gt)
+            free = 0.0 if x[tables.nodes[e, k], 0] == 0.0 else 1.0  # a node on the axis cannot move along r
+            scalar_rr += free * over_m * (gr * gr + gt * gt)
             scalar_zz += over_m * gz * gz
-            scalar_rz += over_m * gr * gz
-            b_r, b_z = w * (gr + gt), w * gz
+            scalar_rz += free * over_m * gr * gz
+            b_r, b_z = free * w * (gr + gt), w * gz
             if k == 0:
                 b_r0 += b_r
                 b_z0 += b_z
@@ -185,5 +198,6 @@ def element_resistance(
     half_sum, half_gap = 0.5 * (scalar_rr + scalar_zz), 0.5 * (scalar_rr - scalar_zz)
     scalar = half_sum + math.sqrt(half_gap * half_gap + scalar_rz * scalar_rz)
     stiffness = density / theta * speed * speed
-    frequency = math.sqrt(stiffness * max(dilatational, 1.5 * scalar))
+    bulk = max(stiffness - 4.0 / 3.0 * shear, 0.0)
+    frequency = math.sqrt(bulk * dilatational + 2.0 * shear * scalar)
     return 2.0 / frequency * damped_step_factor(viscosity, largest_viscous / stiffness)

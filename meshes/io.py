@@ -16,8 +16,8 @@ from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
-from core_models.errors import MeshError
 from core_models.atomic import replacing
+from core_models.errors import MeshError
 from meshes.quad_mesh import QuadMesh
 from meshes.xml_guard import refuse_document_type
 

@@ -56,6 +56,12 @@ def stencil(x, over_h, offset):
 
 
 @inside_kernel
+def cell_of(x, over_h):
+    """Number of the cell of a coordinate, counted from 0 at the axis or the wall, by the rule of `stencil`."""
+    return math.floor(x * over_h)
+
+
+@inside_kernel
 def weights(d):
     """Quadratic B-spline weights of the three nodes at distance d in [-1/2, 1/2] cells from the middle one."""
     return 0.5 * (0.5 - d) * (0.5 - d), 0.75 - d * d, 0.5 * (0.5 + d) * (0.5 + d)
@@ -104,7 +110,7 @@ def sort_particles(positions, over_h, grid, order):
         start[stripe] = 0
     low, high, count, current = columns, -1, 0, 0
     for p in range(positions.shape[0]):
-        r, z = positions[p, 0] * over_h, positions[p, 1] * over_h + (GHOSTS - 1)
+        r, z = cell_of(positions[p, 0], over_h), cell_of(positions[p, 1], over_h) + (GHOSTS - 1)
         if not (r >= 0.0 and z >= 0.0 and r < columns - 2 and z < rows - 2):
             return p
         column, row = int(r), int(z)

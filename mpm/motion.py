@@ -5,6 +5,8 @@ from mpm.grid import FORCE_R, FORCE_Z, GHOSTS, MASS, MOMENTUM_R, MOMENTUM_Z
 
 BEFORE, AFTER = 0, 1
 FAR = 1e300  # m
+TOUCHING = 1e-6  # cells: height at which a surface counts as on the wall
+HELD_TOUCHING = 0.02  # cells: the same next to a surface that the wall holds
 
 
 @kernel
@@ -48,34 +50,31 @@ def mirror(velocities, row):
 
 
 @kernel
-def meet_wall(grid, dt, gaps, bilateral, held, new_held):
+def meet_wall(grid, dt, gaps, held):
     """Stop the columns of nodes whose material would pass the wall; returns its impulse, work and energy change.
 
     The velocity of the grid in the wall plane is the mean of the rows on both sides of z = 0. Where the body's surface
     would pass, an impulse shared by both rows changes it to what just closes the gap; it can push only, unless the
-    wall is bilateral and the column has touched it before. With the row below the wall the mirror image of the row
+    column is held. With the row below the wall the mirror image of the row
     above, this is the mirror condition, switched on by contact. Tangential motion is free.
 
-    gaps : (columns,) height of the surface above the wall [m], inf where no surface is near.
+    gaps : (columns,) height of the surface above the wall [m], FAR where no surface is near. held : (columns,) bool,
+    columns whose surface has touched a wall that does not let go.
     """
     low, high = GHOSTS - 1, GHOSTS
     impulse, work, energy = 0.0, 0.0, 0.0
     for column in range(1, grid.sums.shape[1]):
-        new_held[column] = held[column]
-        is_near = gaps[column] < FAR or held[column]
-        if not is_near or column < grid.first[low] or column > grid.last[low]:
+        if gaps[column] == FAR or column < grid.first[low] or column > grid.last[low]:
             continue
         m_low, m_high = grid.sums[low, column, MASS], grid.sums[high, column, MASS]
         if not (m_low > 0.0 and m_high > 0.0):
             continue
         v_low, v_high = grid.after[low, column, 1], grid.after[high, column, 1]
         velocity = 0.5 * (v_low + v_high)
-        is_held = bilateral and held[column]
-        target = 0.0 if is_held else -max(gaps[column], 0.0) / dt
-        if velocity >= target and not is_held:
+        target = 0.0 if held[column] else -max(gaps[column], 0.0) / dt
+        if velocity >= target and not held[column]:
             continue
         push = (target - velocity) / (0.25 / m_low + 0.25 / m_high)
-        new_held[column] = True
         n_low, n_high = v_low + 0.5 * push / m_low, v_high + 0.5 * push / m_high
         grid.after[low, column, 1], grid.after[high, column, 1] = n_low, n_high
         impulse += push
@@ -89,15 +88,18 @@ def meet_wall(grid, dt, gaps, bilateral, held, new_held):
 
 
 @kernel
-def measure_gaps(h, positions, deformation_gradient, surface, corners, gaps):
-    """Height of the body's surface above the wall at each column of nodes [m]; inf where it is far.
+def measure_gaps(h, positions, deformation_gradient, surface, corners, bilateral, touched, gaps, held):
+    """Height of the body's surface above the wall at each column of nodes [m]; FAR where it is far.
 
     surface : (faces,) particle of each boundary face. corners : (faces, 2, 2) its two ends relative to the particle
     in the reference body [m]. gaps : (columns,), written: the lowest end of a face within a cell of the column.
+    bilateral : a face that touches the wall is noted in `touched` (faces,) and holds its columns, `held` (columns,),
+    wherever it goes from then on.
     """
     over_h = 1.0 / h
     for column in range(gaps.shape[0]):
         gaps[column] = FAR
+        held[column] = False
     for face in range(surface.shape[0]):
         p = surface[face]
         if positions[p, 1] > 3.0 * h:
@@ -109,3 +111,6 @@ def measure_gaps(h, positions, deformation_gradient, surface, corners, gaps):
             cell = int(max(r, 0.0) * over_h + 0.5)
             for column in range(max(cell, 1), min(cell + 2, gaps.shape[0])):
                 gaps[column] = min(gaps[column], height)
+                touching = HELD_TOUCHING if held[column] else TOUCHING
+                touched[face] = touched[face] or (bilateral and height <= touching * h)
+                held[column] = held[column] or touched[face]

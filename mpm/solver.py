@@ -79,6 +79,7 @@ class Solver:
             a.copy() for a in (self.positions, self.velocities, self.affine, self._volume_ratio)
         )
         self._surface, self._surface_corners = self._boundary_faces()
+        self._touched = np.zeros(len(self._surface), dtype=np.bool_)
         self._grow_grid()
         self._sums = np.zeros((-(-n // CHUNK), 2))
         self.time, self.step_count, self.point_updates = 0.0, 0, 0
@@ -87,6 +88,7 @@ class Solver:
         self.wall_impulse, self.wall_force = 0.0, 0.0
         energy = 0.5 * self.mass * velocity**2
         self.ledger = EnergyLedger(energy, energy)
+        self._kinetic = energy
         self.time_step = self._stable_step(abs(velocity), float(self.points.wave_speed.max()), 0.0)
         self._first_step = self.time_step
 
@@ -100,6 +102,7 @@ class Solver:
             self._attempt,
             self.time_step,
             VANISHING_STEP * self._first_step,
+            lambda: self.points.place(self.step_count + 1, self.time, int(self.points.wave_speed.argmax())),
             lambda reason: self.points.failure(reason, self.step_count + 1, self.time),
         )
         self.time += taken
@@ -123,7 +126,7 @@ class Solver:
             )  # fmt: skip
         measure_gaps(
             self.cell_size, self.positions, points.old_deformation_gradient, self._surface, self._surface_corners,
-            self._gaps,
+            self.wall == PLANE, self._touched, self._gaps, self._held,
         )  # fmt: skip
 
     def _attempt(self, dt: float) -> None:
@@ -131,9 +134,7 @@ class Solver:
         grid, points = self._grid, self.points
         x1, v1, c1, j1 = self._next
         self.threads.run(accelerate, len(grid.first), grid, dt, self._row_energies)
-        impulse, contact, change = meet_wall(
-            grid, dt, self._gaps, self.wall == PLANE, self._held, self._new_held
-        )
+        impulse, contact, change = meet_wall(grid, dt, self._gaps, self._held)
         self.threads.run(
             to_particles, len(self._sums), grid, self.cell_size, dt, self._flip, self.positions, self.velocities,
             self.particle_mass, points.old_deformation_gradient, x1, v1, c1, points.deformation_gradient, j1,
@@ -143,7 +144,6 @@ class Solver:
         points.accept()
         self._next = (self.positions, self.velocities, self.affine, self._volume_ratio)
         self.positions, self.velocities, self.affine, self._volume_ratio = x1, v1, c1, j1
-        self._held, self._new_held = self._new_held, self._held
         self._keep_books(work, impulse, contact, change, dt)
 
     def _keep_books(self, work: Work, impulse: float, contact: float, change: float, dt: float) -> None:
@@ -152,8 +152,10 @@ class Solver:
         rows = self._row_energies.sum(axis=0)
         kinetic = float(self._sums[:, ENERGY].sum())
         on_grid_after = float(rows[AFTER]) + change
-        ledger.transfer += (ledger.kinetic - float(rows[BEFORE])) + (on_grid_after - kinetic)
-        ledger.kinetic = kinetic
+        ledger.transfer += (self._kinetic - float(rows[BEFORE])) + (on_grid_after - kinetic)
+        self._kinetic = kinetic
+        # Velocities have had the whole step's force but belong to its middle: half a step's work brings both together.
+        ledger.kinetic = kinetic - 0.5 * (work.stress + work.viscous)
         ledger.contact -= contact
         ledger.plastic += work.plastic
         ledger.viscosity += work.viscous
@@ -186,11 +188,7 @@ class Solver:
         reach = self.positions.max(axis=0)
         self._grid: Grid = make_grid(self.cell_size, 1.5 * reach[0], 1.1 * reach[1])
         rows, columns = self._grid.sums.shape[:2]
-        held = np.zeros(columns, dtype=np.bool_)
-        if outside is not None:
-            kept = min(columns, len(self._held))
-            held[:kept] = self._held[:kept]
-        self._held, self._new_held = held, held.copy()
+        self._held = np.zeros(columns, dtype=np.bool_)
         self._gaps = np.zeros(columns)
         self._row_energies = np.zeros((rows, 2))
         self._order = make_order(len(self.positions), rows)

@@ -27,7 +27,8 @@ def to_grid(
     Parameters
     ----------
     first, last : stripes of one parity, counted within that parity; two stripes of one parity share no node.
-    grid : `Grid`. order : `Order`. h : cell size [m]. positions, velocities (n, 2), affine (n, 2, 2) [1/s]. masses (n,) [kg].
+    grid : `Grid`. order : `Order`. h : cell size [m]. positions, velocities (n, 2), affine (n, 2, 2) [1/s].
+    masses (n,) [kg].
     volumes (n,) : reference [m^3], 2 pi r A. volume_ratio (n,). stress (n, 6) [Pa]. viscous (n,) [Pa] or None.
     """
     over_h = 1.0 / h

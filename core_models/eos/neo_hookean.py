@@ -12,7 +12,8 @@ class NeoHookean(NamedTuple):
     ----------
     bulk_modulus : K [Pa], > 0.
 
-    Valid for every J > 0. Source: Simo & Hughes, Computational Inelasticity (1998), eq. 9.2.3; Uintah's `default_hyper`.
+    Valid for every J > 0.
+    Source: Simo & Hughes, Computational Inelasticity (1998), eq. 9.2.3; Uintah's `default_hyper`.
     """
 
     bulk_modulus: float

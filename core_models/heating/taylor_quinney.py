@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from core_models.laws import heated_fraction
+from core_models.laws import generated_heat
 
 
 class TaylorQuinney(NamedTuple):
@@ -19,6 +19,6 @@ class TaylorQuinney(NamedTuple):
     fraction: float
 
 
-@heated_fraction.register(TaylorQuinney)
-def _(heating):
-    return heating.fraction
+@generated_heat.register(TaylorQuinney)
+def _(heating, dissipation, viscous_work):
+    return heating.fraction * dissipation + viscous_work

@@ -10,8 +10,8 @@ from core_models.laws import (
     damage_increment,
     elastic_moduli,
     eroded_stress,
+    generated_heat,
     heat_capacity,
-    heated_fraction,
     pressure,
     stress_measure,
 )
@@ -24,7 +24,8 @@ FOUR_THIRDS = 4.0 / 3.0
 
 class Balance(NamedTuple):
     """What a step did at a point: wave speed [m/s], viscous pressure [Pa], and per reference volume [J/m^3] the work
-    of the stress (viscosity apart), the plastic dissipation and the work of the viscosity."""
+    of the stress (viscosity apart), the plastic dissipation and the work of the viscosity.
+    """
 
     wave_speed: float
     viscous_pressure: float
@@ -96,11 +97,8 @@ def complete_point(material, viscosity, prediction, correction, dt, length, poin
 
 @inside_kernel
 def heated(material, temperature, dissipation, viscous_work):
-    """Temperature after the step: rho_0 c (T_1 - T_0) = fraction dissipation + viscous work, per reference volume."""
-    fraction = heated_fraction(material.heating)
-    if fraction == 0.0:
-        return temperature
-    heat = fraction * dissipation + viscous_work
+    """Temperature after the step: rho_0 c (T_1 - T_0) = generated heat, per reference volume."""
+    heat = generated_heat(material.heating, dissipation, viscous_work)
     capacity = material.density * heat_capacity(material.specific_heat, temperature)
     return temperature + heat * (1.0 / capacity)
 

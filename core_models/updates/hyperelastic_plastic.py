@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from core_models.compilation import inside_kernel
-from core_models.laws import complete, elastic_moduli, eroded_stress, is_beyond_eos, predict, stress_measure
+from core_models.laws import complete, elastic_moduli, is_beyond_eos, predict, stress_measure
 from core_models.status import BEYOND_EOS, INVERTED, OK
 from core_models.tensors import (
     THIRD,
@@ -92,13 +92,13 @@ def _(update, material, f0, f1, point):
 def _(update, material, prediction, correction, point):
     over_shear = 1.0 / elastic_moduli(material.elasticity)[1]
     trial, factor = prediction.trial, correction.factor
-    tau = eroded_stress(material.erosion, point.damage, scaled(trial, factor), 0.0)[0]
+    tau = scaled(trial, factor)
     work = prediction.work
     if correction.increment > 0.0:
-        # Trapezoidal rule: the part of the trial work that the return takes back. With the equivalent stress before, not
-        # the old stress along the new flow direction, a rotation in the step changes nothing.
+        # Trapezoidal rule: the part of the trial work that the return takes back. With the equivalent stress before,
+        # not the old stress along the new flow direction, a rotation in the step changes nothing.
         work -= 0.5 * correction.increment * (prediction.stress - prediction.stress_before)
-    if factor == 1.0 and tau[0] == trial[0]:
+    if factor == 1.0:
         return tau, work, plus_isotropic(scaled(trial, over_shear), THIRD * prediction.shear_3 * over_shear)
     return tau, work, unimodular(scaled(tau, over_shear))
 

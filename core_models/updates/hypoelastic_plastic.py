@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from core_models.laws import complete, elastic_moduli, eroded_stress, is_beyond_eos, predict, stress_measure
+from core_models.laws import complete, elastic_moduli, is_beyond_eos, predict, stress_measure
 from core_models.rotation import rotation_increment
 from core_models.status import BEYOND_EOS, INVERTED, OK
 from core_models.tensors import (
@@ -68,9 +68,7 @@ def _(update, material, f0, f1, point):
 
 @complete.register(HypoelasticPlastic)
 def _(update, material, prediction, correction, point):
-    stress = eroded_stress(material.erosion, point.damage, scaled(prediction.trial, correction.factor), 0.0)[
-        0
-    ]
+    stress = scaled(prediction.trial, correction.factor)
     mean_ratio = 0.5 * (prediction.volume_ratio_0 + prediction.volume_ratio_1)
     work = 0.5 * mean_ratio * (prediction.work + correction.factor * prediction.along_flow)
     return stress, work, point.elastic_left_cauchy_green

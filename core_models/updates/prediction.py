@@ -7,11 +7,12 @@ several points at once where a single long function would wait for itself: half 
 from typing import NamedTuple
 
 from core_models.compilation import inside_kernel
-from core_models.laws import melting_temperature, return_to_surface
+from core_models.laws import eroded_stress, melting_temperature, return_to_surface
 from core_models.state import read
 from core_models.status import OK
 
 NO_STRESS = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+SHEAR = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
 PREDICTION_SIZE = 13
 CORRECTION_SIZE = 4
 
@@ -36,7 +37,8 @@ class Prediction(NamedTuple):
 
 class Correction(NamedTuple):
     """Result of the return: factor on the trial deviator, increment of equivalent plastic strain, flow stress [Pa]
-    and hardening variable."""
+    and hardening variable.
+    """
 
     factor: float
     increment: float
@@ -72,14 +74,15 @@ def load_prediction(table, k):
 
 @inside_kernel
 def correct(material, table, corrections, k, over_dt, state, i):
-    """Return the prediction in row k of a table to the yield surface, or to zero where point i has melted.
+    """Return the prediction in row k of a table to the yield surface, or to zero where point i has melted or failed.
 
     Writes row k of `corrections` and returns a status.
     """
     temperature = read(state.temperature, i, 0.0)
     hardening = read(state.hardening_variable, i, 0.0)
     factor, increment, flow_stress, status = 0.0, 0.0, 0.0, OK
-    if temperature < melting_temperature(material.melting):
+    has_failed = eroded_stress(material.erosion, read(state.damage, i, 0.0), SHEAR, 0.0)[0] != SHEAR
+    if temperature < melting_temperature(material.melting) and not has_failed:
         factor, increment, flow_stress, hardening, status = return_to_surface(
             material.yield_condition, material.flow, table[k, 8], table[k, 10], table[k, 9],
             read(state.equivalent_plastic_strain, i, 0.0), hardening, over_dt, temperature,

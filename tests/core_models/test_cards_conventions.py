@@ -76,9 +76,9 @@ def test_laws_that_do_not_fit_are_refused_with_the_cards_name(refused):
 
 
 def test_laws_without_meaning_at_room_temperature_are_refused(refused):
-    """Numbers that a law cannot be evaluated with are a MaterialError that names the card."""
-    extreme = MTS.replace("<T_0>180<", "<T_0>1e300<")
-    assert "room_temp" in refused(MaterialError, 6, (JOHNSON_COOK, extreme))
+    """A flow stress above the shear modulus at room temperature is a MaterialError that names the card."""
+    extreme = MTS.replace("<sigma_a>40e6<", "<sigma_a>60e9<")
+    assert "initial flow stress" in refused(MaterialError, 6, (JOHNSON_COOK, extreme))
 
 
 def test_heating_can_be_set_and_switched_off(read_card, refused):
