@@ -14,7 +14,7 @@ class BulkViscosity(NamedTuple):
     linear, quadratic : coefficients [-], >= 0 (0.06 and 1.2 are usual).
 
     h is the element's or cell's current size [m], c the wave speed [m/s]. q is a pressure on top of the mean stress;
-    its work is heat: it enters the internal energy of the equation of state and, where heating is on, the temperature.
+    its work enters the internal energy of the equation of state; the temperature counts plastic work only.
     Source: von Neumann & Richtmyer, J. Appl. Phys. 21 (1950) 232; Landshoff, LANL LA-1930 (1955).
     """
 

@@ -112,12 +112,12 @@ def _(specific_heat, temperature):
 
 
 @generic
-def generated_heat(heating, dissipation, viscous_work):
-    """Heat [J/m^3] that the plastic dissipation and the work of the bulk viscosity leave in the material."""
+def heated_fraction(heating):
+    """Fraction of the plastic work that becomes heat [-]."""
 
 
-@generated_heat.register(type(None))
-def _(heating, dissipation, viscous_work):
+@heated_fraction.register(type(None))
+def _(heating):
     return 0.0
 
 

@@ -12,7 +12,7 @@ from core_models.laws import (
     elastic_moduli,
     eroded_stress,
     flow_stress,
-    generated_heat,
+    heated_fraction,
     heat_capacity,
     melting_temperature,
     pressure,
@@ -30,7 +30,7 @@ SLOTS = {
     "damage": damage_increment,
     "melting": melting_temperature,
     "specific_heat": heat_capacity,
-    "heating": generated_heat,
+    "heating": heated_fraction,
     "erosion": eroded_stress,
 }
 EMPTY_SLOTS = ("shear_modulus", "kinematic_hardening", "stability")

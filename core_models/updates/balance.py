@@ -10,7 +10,7 @@ from core_models.laws import (
     damage_increment,
     elastic_moduli,
     eroded_stress,
-    generated_heat,
+    heated_fraction,
     heat_capacity,
     pressure,
     stress_measure,
@@ -88,7 +88,7 @@ def complete_point(material, viscosity, prediction, correction, dt, length, poin
         elastic,
         point.equivalent_plastic_strain + increment,
         correction.hardening_variable,
-        heated(material, point.temperature, dissipation, p.viscous_work),
+        heated(material, point.temperature, dissipation),
         damaged(material, point, increment, dt, p.mean_stress, flow_stress * to_cauchy),
         p.energy,
     )
@@ -96,9 +96,9 @@ def complete_point(material, viscosity, prediction, correction, dt, length, poin
 
 
 @inside_kernel
-def heated(material, temperature, dissipation, viscous_work):
-    """Temperature after the step: rho_0 c (T_1 - T_0) = generated heat, per reference volume."""
-    heat = generated_heat(material.heating, dissipation, viscous_work)
+def heated(material, temperature, dissipation):
+    """Temperature after the step: rho_0 c (T_1 - T_0) = fraction dissipation, per reference volume."""
+    heat = heated_fraction(material.heating) * dissipation
     capacity = material.density * heat_capacity(material.specific_heat, temperature)
     return temperature + heat * (1.0 / capacity)
 
