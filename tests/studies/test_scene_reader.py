@@ -69,7 +69,7 @@ def test_heating_can_be_turned_off(tmp_path):
         ('time="80e-6"', 'time="nan"', "no number"),
         ('time="80e-6"', 'time="-1"', "positive"),
         ('<end time="80e-6"/>', "", "lacks <end>"),
-        ('linear="0.06"', 'linear="-1"', "negative"),
+        ('linear="0"', 'linear="-1"', "negative"),
         ('fem="6 8 12 16"', 'fem="0"', "leaves no cell"),
         ('quantity="foot_radius"', 'quantity="foot_radus"', "did you mean 'foot_radius'"),
         ('href="taylor-classic-history.csv"', 'href="../x.csv"', "out of the scene's folder"),
