@@ -120,6 +120,39 @@ def resist(
 
 
 @inside_kernel
+def element_means(tables, volume_ratio, stress, viscous, wave_speed, e):
+    """Volume [m^3], theta, mean stress net of viscosity [Pa], largest wave speed and viscous pressure of element e."""
+    volume, reference, mean, speed, largest_viscous = 0.0, 0.0, 0.0, 0.0, 0.0
+    for q in range(POINTS):
+        i = POINTS * e + q
+        w = tables.weights[e, q]
+        viscous_pressure = read(viscous, i, 0.0)
+        volume += w * volume_ratio[i]
+        reference += w
+        mean += w * ((stress[i, 0] + stress[i, 1] + stress[i, 2]) * THIRD - viscous_pressure)
+        speed = max(speed, wave_speed[i])
+        largest_viscous = max(largest_viscous, viscous_pressure)
+    return volume, volume / reference, mean / reference, speed, largest_viscous
+
+
+@inside_kernel
+def point_resistance(tables, x, volume_ratio, stress, theta, mean, e, q):
+    """What the corners need of point q: inverse gradient (four), 1 / r, volume, and stress times volume (four)."""
+    i = POINTS * e + q
+    rr, rz, zr, zz, hoop = point_gradient(tables, x, e, q)
+    d = 1.0 / (rr * zz - rz * zr)
+    w = tables.weights[e, q] * volume_ratio[i]
+    wd = tables.weights[e, q] * theta
+    p = (stress[i, 0] + stress[i, 1] + stress[i, 2]) * THIRD
+    isotropic = w * mean
+    return (
+        zz * d, zr * d, rz * d, rr * d, 1.0 / (hoop * tables.radius[e, q]), w,
+        wd * (stress[i, 0] - p) + isotropic, wd * (stress[i, 1] - p) + isotropic,
+        wd * (stress[i, 2] - p) + isotropic, wd * stress[i, 3],
+    )  # fmt: skip
+
+
+@inside_kernel
 def element_resistance(
     tables,
     x,
@@ -135,69 +168,39 @@ def element_resistance(
     e,
 ):
     """Internal forces of element e; returns its stable step [s]."""
-    volume, reference, mean, speed, largest_viscous = 0.0, 0.0, 0.0, 0.0, 0.0
-    for q in range(POINTS):
-        i = POINTS * e + q
-        w = tables.weights[e, q]
-        viscous_pressure = read(viscous, i, 0.0)
-        volume += w * volume_ratio[i]
-        reference += w
-        mean += w * ((stress[i, 0] + stress[i, 1] + stress[i, 2]) * THIRD - viscous_pressure)
-        speed = max(speed, wave_speed[i])
-        largest_viscous = max(largest_viscous, viscous_pressure)
-    theta = volume / reference
-    mean /= reference
+    volume, theta, mean, speed, largest_viscous = element_means(
+        tables, volume_ratio, stress, viscous, wave_speed, e
+    )
+    points = (
+        point_resistance(tables, x, volume_ratio, stress, theta, mean, e, 0),
+        point_resistance(tables, x, volume_ratio, stress, theta, mean, e, 1),
+        point_resistance(tables, x, volume_ratio, stress, theta, mean, e, 2),
+        point_resistance(tables, x, volume_ratio, stress, theta, mean, e, 3),
+    )
+    dilatational, scalar_rr, scalar_zz, scalar_rz = 0.0, 0.0, 0.0, 0.0
     for k in range(4):
-        corner_forces[e, k, 0] = 0.0
-        corner_forces[e, k, 1] = 0.0
-    b_r0, b_r1, b_r2, b_r3, b_z0, b_z1, b_z2, b_z3 = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    scalar_rr, scalar_zz, scalar_rz = 0.0, 0.0, 0.0
-    for q in range(POINTS):
-        i = POINTS * e + q
-        rr, rz, zr, zz, hoop = point_gradient(tables, x, e, q)
-        d = 1.0 / (rr * zz - rz * zr)
-        over_r = 1.0 / (hoop * tables.radius[e, q])
-        w = tables.weights[e, q] * volume_ratio[i]
-        wd = tables.weights[e, q] * theta
-        p = (stress[i, 0] + stress[i, 1] + stress[i, 2]) * THIRD
-        t_rr = wd * (stress[i, 0] - p) + w * mean
-        t_zz = wd * (stress[i, 1] - p) + w * mean
-        t_hoop = wd * (stress[i, 2] - p) + w * mean
-        t_rz = wd * stress[i, 3]
-        for k in range(4):
+        f_r, f_z, b_r, b_z, s_rr, s_zz, s_rz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+        for q in range(POINTS):
+            i_zz, i_zr, i_rz, i_rr, over_r, w, t_rr, t_zz, t_hoop, t_rz = points[q]
             gx, gy = tables.gradients[e, q, k, 0], tables.gradients[e, q, k, 1]
-            gr = (zz * gx - zr * gy) * d
-            gz = (rr * gy - rz * gx) * d
-            gt = tables.shape[q, k] * over_r
-            corner_forces[e, k, 0] -= t_rr * gr + t_rz * gz + t_hoop * gt
-            corner_forces[e, k, 1] -= t_rz * gr + t_zz * gz
-            over_m = w / corner_mass[e, k]
-            free = 0.0 if x[tables.nodes[e, k], 0] == 0.0 else 1.0  # a node on the axis cannot move along r
-            scalar_rr += free * over_m * (gr * gr + gt * gt)
-            scalar_zz += over_m * gz * gz
-            scalar_rz += free * over_m * gr * gz
-            b_r, b_z = free * w * (gr + gt), w * gz
-            if k == 0:
-                b_r0 += b_r
-                b_z0 += b_z
-            elif k == 1:
-                b_r1 += b_r
-                b_z1 += b_z
-            elif k == 2:
-                b_r2 += b_r
-                b_z2 += b_z
-            else:
-                b_r3 += b_r
-                b_z3 += b_z
-    dilatational = (
-        (b_r0 * b_r0 + b_z0 * b_z0) / corner_mass[e, 0]
-        + (b_r1 * b_r1 + b_z1 * b_z1) / corner_mass[e, 1]
-        + (b_r2 * b_r2 + b_z2 * b_z2) / corner_mass[e, 2]
-        + (b_r3 * b_r3 + b_z3 * b_z3) / corner_mass[e, 3]
-    ) / volume
+            gr, gz, gt = i_zz * gx - i_zr * gy, i_rr * gy - i_rz * gx, tables.shape[q, k] * over_r
+            f_r -= t_rr * gr + t_rz * gz + t_hoop * gt
+            f_z -= t_rz * gr + t_zz * gz
+            b_r += w * (gr + gt)
+            b_z += w * gz
+            s_rr += w * (gr * gr + gt * gt)
+            s_zz += w * gz * gz
+            s_rz += w * gr * gz
+        corner_forces[e, k, 0], corner_forces[e, k, 1] = f_r, f_z
+        over_m = 1.0 / corner_mass[e, k]
+        free = 0.0 if x[tables.nodes[e, k], 0] == 0.0 else over_m  # a node on the axis cannot move along r
+        dilatational += free * b_r * b_r + over_m * b_z * b_z
+        scalar_rr += free * s_rr
+        scalar_zz += over_m * s_zz
+        scalar_rz += free * s_rz
     half_sum, half_gap = 0.5 * (scalar_rr + scalar_zz), 0.5 * (scalar_rr - scalar_zz)
     scalar = half_sum + math.sqrt(half_gap * half_gap + scalar_rz * scalar_rz)
     stiffness = density / theta * speed * speed
     bulk = max(stiffness - 4.0 / 3.0 * shear, 0.0)
-    frequency = math.sqrt(bulk * dilatational + 2.0 * shear * scalar)
+    frequency = math.sqrt(bulk * dilatational / volume + 2.0 * shear * scalar)
     return 2.0 / frequency * damped_step_factor(viscosity, largest_viscous / stiffness)
