@@ -10,8 +10,8 @@ from core_models.laws import (
     damage_increment,
     elastic_moduli,
     eroded_stress,
-    heated_fraction,
     heat_capacity,
+    heated_fraction,
     pressure,
     stress_measure,
 )
