@@ -1,8 +1,9 @@
 """A material: one law per slot, and which slots fit together."""
 
 from dataclasses import dataclass, fields
-from typing import Any, NamedTuple
+from typing import Any
 
+from core_models.effects import Effect, material_effects
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.errors import MaterialError
@@ -35,14 +36,6 @@ SLOTS = {
 }
 EMPTY_SLOTS = ("shear_modulus", "kinematic_hardening", "stability")
 LARGEST_MODULUS_GAP = 0.2  # between the card's bulk modulus and rho_0 C_0^2
-
-
-class Effect(NamedTuple):
-    """One physical effect: whether it is simulated, and why."""
-
-    name: str
-    on: bool
-    reason: str
 
 
 @dataclass(frozen=True)
@@ -104,7 +97,7 @@ class Material:
 
     def effects(self) -> list[Effect]:
         """Which effects this material brings into a simulation, and why the others are absent."""
-        return _effects(self)
+        return material_effects(self)
 
 
 def check_slots(material: Material) -> None:
@@ -197,39 +190,3 @@ def _complaints(m: Material):
             not 0.0 <= start < shear,
             f"the initial flow stress {start:.4g} Pa must lie between 0 and the shear modulus {shear:.4g} Pa",
         )
-
-
-def _effects(m: Material) -> list[Effect]:
-    softens = getattr(m.flow, "uses_temperature", False)
-    return [
-        Effect("plasticity", m.flow is not None, _why(m.flow, "the card has no flow law")),
-        Effect(
-            "equation of state with energy",
-            m.uses("uses_energy"),
-            _why(
-                m.eos if m.uses("uses_energy") else None,
-                f"{type(m.eos).__name__} does not depend on the energy",
-            ),
-        ),
-        Effect(
-            "plastic heating",
-            m.heating is not None,
-            _why(m.heating, "no law of the card depends on the temperature, or it gives no specific heat"),
-        ),
-        Effect(
-            "thermal softening",
-            softens,
-            _why(m.flow if softens else None, "the flow law does not depend on the temperature"),
-        ),
-        Effect("melting", m.melting is not None, _why(m.melting, "the card gives no melt_temp")),
-        Effect("damage", m.damage is not None, _why(m.damage, "the card has no damage model")),
-        Effect(
-            "erosion",
-            m.erosion is not None,
-            _why(m.erosion, "the card asks for none: damage is computed and reported, it does not act"),
-        ),
-    ]
-
-
-def _why(law: Any, absent: str) -> str:
-    return absent if law is None else f"the card asks for it ({type(law).__name__})"

@@ -13,8 +13,10 @@ from core_models.threads import Threads
 from core_models.walls import PLANE, check_wall
 from fem.mean_dilatation import ELEMENT_CHUNK, deform, resist
 from fem.motion import CONTACT_WORK, IMPULSE, NODE_CHUNK, move
-from fem.shape import element_domains, outline
+from fem.shape import outline
 from fem.space import elements_round_nodes, lumped_mass, quad_tables
+from meshes.quad_mesh import QuadMesh
+from meshes.quarters import quarter_polygons
 
 
 class ExplicitSolver:
@@ -34,7 +36,7 @@ class ExplicitSolver:
 
     def __init__(
         self,
-        mesh,
+        mesh: QuadMesh,
         material: Material,
         *,
         velocity: float,
@@ -177,7 +179,7 @@ class ExplicitSolver:
 
     def domains(self) -> np.ndarray:
         """Deformed quarter of the element round each point (n, 4, 2) [m]."""
-        return element_domains(self.positions[self.tables.nodes])
+        return quarter_polygons(self.positions[self.tables.nodes])
 
     def outline(self) -> dict[str, np.ndarray]:
         """Deformed boundary: 'foot' (axis to rim), 'side' (foot to rear), 'rear' (rim to axis), each (k, 2) [m]."""

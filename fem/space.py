@@ -4,6 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from meshes.quad_mesh import QuadMesh
+
 POINTS = 4  # quadrature points of an element, 2 x 2 Gauss
 
 
@@ -22,7 +24,7 @@ class QuadTables(NamedTuple):
     weights: np.ndarray
 
 
-def quad_tables(mesh) -> QuadTables:
+def quad_tables(mesh: QuadMesh) -> QuadTables:
     """Tables of bilinear quads with 2 x 2 points from a `meshes.QuadMesh`."""
     from skfem import Basis, ElementQuad1
 

@@ -12,6 +12,7 @@ from core_models.points import MaterialPoints, Work
 from core_models.redo import VANISHING_STEP, redoing
 from core_models.threads import Threads
 from core_models.walls import PLANE, check_wall
+from meshes.quad_mesh import QuadMesh
 from mpm.grid import Grid, make_grid, make_order, sort_particles
 from mpm.motion import AFTER, BEFORE, accelerate, measure_gaps, meet_wall
 from mpm.particles import GAUSS, LATTICE, seed
@@ -39,7 +40,7 @@ class Solver:
 
     def __init__(
         self,
-        mesh,
+        mesh: QuadMesh,
         material: Material,
         *,
         cell_size: float,
