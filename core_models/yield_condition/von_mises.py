@@ -11,7 +11,7 @@ MAXIMUM_ITERATIONS = 100
 
 
 class VonMises(NamedTuple):
-    """Von Mises yield condition: trial = sqrt(3/2 s:s) <= sigma_y, with associated flow.
+    """Von Mises yield condition: q = sqrt(3/2 s:s) <= sigma_y, with associated flow.
 
     The stress measure is that of the update which calls it: Cauchy in the hypoelastic, Kirchhoff in the hyperelastic.
     """
