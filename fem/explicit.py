@@ -29,7 +29,7 @@ class ExplicitSolver:
     wall : 'unilateral' or 'plane'. viscosity : BulkViscosity or None. threads : number of threads.
     safety : part of the estimated stable step that is taken, in (0, 1].
 
-    `advance` makes one step: deform -> points -> resist -> move, in the order move, deform, points, resist.
+    `advance` makes one step: motion of the nodes -> kinematics -> points -> nodal forces.
     """
 
     method = "fem-explicit"

@@ -55,8 +55,8 @@ def meet_wall(grid, dt, gaps, held):
 
     The velocity of the grid in the wall plane is the mean of the rows on both sides of z = 0. Where the body's surface
     would pass, an impulse shared by both rows changes it to what just closes the gap; it can push only, unless the
-    column is held. With the row below the wall the mirror image of the row
-    above, this is the mirror condition, switched on by contact. Tangential motion is free.
+    column is held. With the row below the wall the mirror image of the row above, this is the mirror condition,
+    switched on by contact. Tangential motion is free.
 
     gaps : (columns,) height of the surface above the wall [m], FAR where no surface is near. held : (columns,) bool,
     columns whose surface has touched a wall that does not let go.
