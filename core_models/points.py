@@ -151,7 +151,7 @@ class MaterialPoints:
         """The error that ends a run: names step, time, point, law and what to try."""
         return RunFailure(
             f"{self.place(step, time, reason.point)}: {reason} even after the step was made smaller; "
-            "try a finer resolution or a smaller time step"
+            "check velocity and material, or try another resolution"
         )
 
 

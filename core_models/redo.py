@@ -27,8 +27,8 @@ def redoing(attempt, dt: float, smallest: float, place: Callable[[], str], expla
     for redo in range(MAXIMUM_REDOS + 1):
         if not dt > smallest:
             raise RunFailure(
-                f"{place()}: the time step has shrunk to {dt:.3e} s: an element or cell is crushed beyond use; "
-                "try a coarser mesh at the foot or the material point method"
+                f"{place()}: the time step has shrunk to {dt:.3e} s: something moves, or is squeezed, too fast for "
+                "this resolution; check velocity and material, or try another resolution"
             )
         try:
             attempt(dt)
@@ -38,3 +38,10 @@ def redoing(attempt, dt: float, smallest: float, place: Callable[[], str], expla
             logger.info("step of %.3e s redone (%d): %s at point %d", dt, redo + 1, reason, reason.point)
             dt *= REDUCTION
     raise explain(failure)
+
+
+def step_within(dt: float, remaining: float) -> float:
+    """The step to take, not beyond `remaining` [s]: the last two steps are alike, so that none is next to nothing."""
+    if remaining <= dt:
+        return remaining
+    return min(dt, 0.5 * remaining)

@@ -1,13 +1,16 @@
 """Explicit finite elements: axisymmetric quads with mean dilatation, lumped mass, central differences."""
 
+import math
+
 import numpy as np
 
+from core_models.arguments import check_between, check_motion
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.laws import elastic_moduli
 from core_models.ledger import EnergyLedger
 from core_models.material import Material
 from core_models.points import MaterialPoints, PointFailure
-from core_models.redo import VANISHING_STEP, redoing
+from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.status import OK
 from core_models.threads import Threads
 from core_models.walls import PLANE, check_wall
@@ -46,6 +49,8 @@ class ExplicitSolver:
         threads: int = 1,
         safety: float = 0.9,
     ) -> None:
+        check_between("safety", safety, 0.0, 1.0)
+        check_motion(velocity, temperature)
         self.mesh, self.material, self.wall, self.safety = mesh, material, check_wall(wall), safety
         self.threads = Threads(threads)
         self.tables = quad_tables(mesh)
@@ -81,20 +86,22 @@ class ExplicitSolver:
         self._first_step, self._last_step = self.time_step, 0.0
         self._ledger.initial = self.kinetic_energy()
 
-    def advance(self) -> None:
+    def advance(self, limit: float = math.inf) -> None:
         """Make one step; a step that some point cannot take is redone smaller.
 
+        limit : time not to go beyond [s], later than `time`; it is met exactly.
         Raises RunFailure naming step, time, point and law when that does not help.
         """
+        dt = step_within(self.time_step, limit - self.time)
         taken = redoing(
             self._attempt,
-            self.time_step,
+            dt,
             VANISHING_STEP * self._first_step,
             lambda: self.points.place(self.step_count + 1, self.time, int(self.point_volumes().argmin())),
             lambda reason: self.points.failure(reason, self.step_count + 1, self.time),
         )
         self._resist()
-        self.time += taken
+        self.time = limit if taken == limit - self.time else self.time + taken
         self.step_count += 1
         self.point_updates += self.points.n
         self._last_step = taken

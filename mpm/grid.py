@@ -11,8 +11,10 @@ from typing import NamedTuple
 import numpy as np
 
 from core_models.compilation import inside_kernel, kernel
+from core_models.errors import SceneError
 
 GHOSTS = 2  # rows below the wall
+MOST_NODES = 30_000_000  # some 2 GB
 STRIPE = 4  # rows of cells in a stripe; wider than the stencil, so that every second stripe can be filled in parallel
 MASS, MOMENTUM_R, MOMENTUM_Z, FORCE_R, FORCE_Z = 0, 1, 2, 3, 4
 
@@ -32,9 +34,17 @@ class Grid(NamedTuple):
 
 
 def make_grid(cell_size: float, radius: float, height: float) -> Grid:
-    """Grid that reaches to `radius` and `height` [m]; it grows when particles come near its end."""
+    """Grid that reaches to `radius` and `height` [m]; it grows when particles come near its end.
+
+    Raises SceneError for a grid that no memory would hold.
+    """
     columns = math.ceil(radius / cell_size) + 4
     rows = math.ceil(height / cell_size) + GHOSTS + 4
+    if rows * columns > MOST_NODES:
+        raise SceneError(
+            f"a grid of {rows} x {columns} nodes for cells of {cell_size:.3g} m is too large: "
+            f"give larger cells (at most {MOST_NODES:.0e} nodes)"
+        )
     return Grid(
         np.zeros((rows, columns, 5)),
         np.zeros((rows, columns, 2)),

@@ -92,7 +92,8 @@ def measure_gaps(h, positions, deformation_gradient, surface, corners, bilateral
     """Height of the body's surface above the wall at each column of nodes [m]; FAR where it is far.
 
     surface : (faces,) particle of each boundary face. corners : (faces, 2, 2) its two ends relative to the particle
-    in the reference body [m]. gaps : (columns,), written: the lowest end of a face within a cell of the column.
+    in the reference body [m]. gaps : (columns,), written: the lowest face at the column, or with an end within a
+    cell of it.
     bilateral : a face that touches the wall is noted in `touched` (faces,) and holds its columns, `held` (columns,),
     wherever it goes from then on.
     """
@@ -104,13 +105,28 @@ def measure_gaps(h, positions, deformation_gradient, surface, corners, bilateral
         p = surface[face]
         if positions[p, 1] > 3.0 * h:
             continue
-        for end in range(2):
-            x, z = corners[face, end, 0], corners[face, end, 1]
-            height = positions[p, 1] + deformation_gradient[p, 1, 0] * x + deformation_gradient[p, 1, 1] * z
-            r = positions[p, 0] + deformation_gradient[p, 0, 0] * x + deformation_gradient[p, 0, 1] * z
-            cell = int(max(r, 0.0) * over_h + 0.5)
-            for column in range(max(cell, 1), min(cell + 2, gaps.shape[0])):
-                gaps[column] = min(gaps[column], height)
-                touching = HELD_TOUCHING if held[column] else TOUCHING
-                touched[face] = touched[face] or (bilateral and height <= touching * h)
-                held[column] = held[column] or touched[face]
+        r_low, z_low = face_end(p, positions, deformation_gradient, corners[face, 0, 0], corners[face, 0, 1])
+        r_high, z_high = face_end(
+            p, positions, deformation_gradient, corners[face, 1, 0], corners[face, 1, 1]
+        )
+        if r_low > r_high:
+            r_low, z_low, r_high, z_high = r_high, z_high, r_low, z_low
+        slope = (z_high - z_low) / (r_high - r_low) if r_high > r_low else 0.0
+        for column in range(
+            max(int(r_low * over_h + 0.5), 1), min(int(r_high * over_h + 0.5) + 2, gaps.shape[0])
+        ):
+            r = min(max((column - 0.5) * h, r_low), r_high)
+            height = z_low + slope * (r - r_low) if r_high > r_low else min(z_low, z_high)
+            gaps[column] = min(gaps[column], height)
+            touching = HELD_TOUCHING if held[column] else TOUCHING
+            touched[face] = touched[face] or (bilateral and height <= touching * h)
+            held[column] = held[column] or touched[face]
+
+
+@inside_kernel
+def face_end(p, positions, deformation_gradient, x, z):
+    """Radius (not below 0) and height of the end of a face of particle p [m]; (x, z) is where it was from there."""
+    r = positions[p, 0] + deformation_gradient[p, 0, 0] * x + deformation_gradient[p, 0, 1] * z
+    return max(r, 0.0), positions[p, 1] + deformation_gradient[p, 1, 0] * x + deformation_gradient[
+        p, 1, 1
+    ] * z

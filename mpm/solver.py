@@ -1,7 +1,10 @@
 """Explicit material point method: axisymmetric, updated Lagrangian, quadratic B-splines."""
 
+import math
+
 import numpy as np
 
+from core_models.arguments import check_between, check_motion, check_share
 from core_models.bulk_viscosity import BulkViscosity, damped_step_factor
 from core_models.compilation import CHUNK
 from core_models.errors import RunFailure, SceneError
@@ -9,7 +12,7 @@ from core_models.ledger import EnergyLedger
 from core_models.material import Material
 from core_models.names import nearest
 from core_models.points import MaterialPoints, Work
-from core_models.redo import VANISHING_STEP, redoing
+from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.threads import Threads
 from core_models.walls import PLANE, check_wall
 from meshes.quad_mesh import QuadMesh
@@ -60,8 +63,10 @@ class Solver:
             )
         if seeding not in (GAUSS, LATTICE):
             raise SceneError(f"no seeding is called {seeding!r}: use {GAUSS!r} or {LATTICE!r}")
-        if not cell_size > 0.0 or len(mesh.quads) == 0:
-            raise SceneError(f"a cell size of {cell_size!r} m leaves no cell: give a positive one")
+        check_between("cell_size", cell_size, 0.0, math.inf, "m")
+        check_between("cfl", cfl, 0.0, 1.0)
+        check_share("flip_fraction", flip_fraction)
+        check_motion(velocity, temperature)
         self.mesh, self.material, self.wall, self.cfl = mesh, material, check_wall(wall), cfl
         self.cell_size, self.transfer = cell_size, transfer
         self._flip = flip_fraction if transfer == "flip" else -1.0
@@ -93,20 +98,22 @@ class Solver:
         self.time_step = self._stable_step(abs(velocity), float(self.points.wave_speed.max()), 0.0)
         self._first_step = self.time_step
 
-    def advance(self) -> None:
+    def advance(self, limit: float = math.inf) -> None:
         """Make one step; a step that some particle cannot take is redone smaller.
 
+        limit : time not to go beyond [s], later than `time`; it is met exactly.
         Raises RunFailure naming step, time, particle and law when that does not help.
         """
         self._particles_to_grid()
+        dt = step_within(self.time_step, limit - self.time)
         taken = redoing(
             self._attempt,
-            self.time_step,
+            dt,
             VANISHING_STEP * self._first_step,
             lambda: self.points.place(self.step_count + 1, self.time, int(self.points.wave_speed.argmax())),
             lambda reason: self.points.failure(reason, self.step_count + 1, self.time),
         )
-        self.time += taken
+        self.time = limit if taken == limit - self.time else self.time + taken
         self.step_count += 1
         self.point_updates += self.points.n
         self.time_step = self._stable_step(*self._fastest)
@@ -183,8 +190,8 @@ class Solver:
             r, z = self.positions[outside]
             if not np.isfinite([r, z]).all() or r < 0.0 or z < -self.cell_size:
                 raise RunFailure(
-                    f"step {self.step_count + 1}, t = {self.time:.6e} s: particle {outside} has left the domain "
-                    f"(r = {r:.4g} m, z = {z:.4g} m); try a smaller cfl number"
+                    f"{self.points.place(self.step_count + 1, self.time, outside)}: the particle has left the domain "
+                    f"(r = {r:.4g} m, z = {z:.4g} m); check velocity and material, or try another resolution"
                 )
         reach = self.positions.max(axis=0)
         self._grid: Grid = make_grid(self.cell_size, 1.5 * reach[0], 1.1 * reach[1])

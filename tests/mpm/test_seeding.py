@@ -55,7 +55,7 @@ def test_the_outline_is_the_boundary_of_the_mesh(build, bar, elastic, seeding):
     [
         ({"transfer": "apik"}, "apic"),
         ({"seeding": "gaus"}, "gauss"),
-        ({"cell_size": 0.0}, "positive"),
+        ({"cell_size": 0.0}, "cell_size"),
         ({"wall": "plan"}, "plane"),
     ],
 )

@@ -66,10 +66,10 @@ def test_a_new_grid_may_be_narrower_than_the_old_one(build, bar, elastic):
 
 @pytest.mark.parametrize("place", [(-1e-3, 1e-3), (1e-3, -3.0 * CELL), (np.nan, 1e-3), (1e-3, np.inf)])
 def test_a_particle_that_leaves_the_domain_ends_the_run(taylor, place):
-    """The run stops with a RunFailure of one line that names step, time, particle and place."""
+    """The run stops with a RunFailure of one line that names step, time, particle, law and place."""
     solver = taylor()
     solver.advance()
     solver.positions[5] = place
-    with pytest.raises(RunFailure, match=r"step 2, t = .* s: particle 5 has left the domain") as failure:
+    with pytest.raises(RunFailure, match=r"step 2, t = .* s, point 5 .* has left the domain") as failure:
         solver.advance()
     assert "\n" not in str(failure.value)

@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 from core_models.bulk_viscosity import BulkViscosity
+from core_models.errors import SceneError
+from mpm import Solver
 
 CELL, SPEED = 0.4e-3, 227.0
 WALLS = ["plane", "unilateral"]
@@ -117,3 +119,39 @@ def test_energy_of_an_elastic_rod_never_grows(rod):
         solver.advance()
         assert solver.ledger.kinetic + solver.ledger.strain < 1.005 * solver.ledger.initial
         assert abs(solver.ledger.relative_error) < 1.5e-2
+
+
+@pytest.mark.parametrize(("wall", "speed"), [("unilateral", 227.0), ("unilateral", 400.0), ("plane", 400.0)])
+def test_nothing_passes_the_wall(build, bar, j2, wall, speed):
+    """No particle gets behind the wall, also where a stretched face spans several columns of nodes."""
+    solver = build("mpm", bar(6, 24), j2, wall=wall, velocity=-speed)
+    lowest = 0.0
+    while solver.time < 25e-6:
+        solver.advance()
+        lowest = min(lowest, solver.point_positions()[:, 1].min())
+    assert lowest > -1e-6 * CELL
+
+
+@pytest.mark.parametrize("method", ["fem", "mpm"])
+def test_a_limit_is_met_exactly(build, bar, j2, method):
+    """The last steps are cut so that the run ends at the very time asked for, none of them next to nothing."""
+    solver = build(method, bar(4, 12), j2, velocity=-SPEED)
+    limit, steps = 1.2345e-6, []
+    while solver.time < limit:
+        before = solver.time
+        solver.advance(limit)
+        steps.append(solver.time - before)
+    assert solver.time == limit
+    assert min(steps) > 0.4 * max(steps)
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("cfl", 5.0), ("cfl", -1.0), ("flip_fraction", np.nan), ("velocity", np.nan), ("temperature", -5.0),
+     ("cell_size", 0.0), ("cell_size", 1e-12)],
+)  # fmt: skip
+def test_senseless_numbers_are_refused_when_the_solver_is_built(bar, j2, name, value):
+    """A number outside its range is a SceneError with the remedy, not a run that goes wrong later."""
+    arguments = {"cell_size": CELL, "velocity": -100.0} | {name: value}
+    with pytest.raises(SceneError, match="give"):
+        Solver(bar(4, 8), j2, **arguments)
