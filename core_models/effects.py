@@ -2,6 +2,8 @@
 
 from typing import NamedTuple
 
+NOT_OFFERED = "the card gives none, and none is offered yet"
+
 
 class Effect(NamedTuple):
     """One physical effect: whether it is simulated, and why."""
@@ -13,36 +15,40 @@ class Effect(NamedTuple):
 
 def material_effects(m) -> list[Effect]:
     """Effects of a `Material`, on or off and why."""
-    softens = getattr(m.flow, "uses_temperature", False)
+    energy = m.eos if m.uses("uses_energy") else None
+    softening = m.flow if getattr(m.flow, "uses_temperature", False) else None
     return [
-        Effect("plasticity", m.flow is not None, _why(m.flow, "the card has no flow law")),
-        Effect(
-            "equation of state with energy",
-            m.uses("uses_energy"),
-            _why(
-                m.eos if m.uses("uses_energy") else None,
-                f"{type(m.eos).__name__} does not depend on the energy",
-            ),
+        _effect("plasticity", m.flow, "the card has no flow law"),
+        _effect("kinematic hardening", m.kinematic_hardening, NOT_OFFERED),
+        _effect("temperature-dependent shear modulus", m.shear_modulus, NOT_OFFERED),
+        _effect(
+            "equation of state with energy", energy, f"{type(m.eos).__name__} does not depend on the energy"
         ),
-        Effect(
-            "plastic heating",
-            m.heating is not None,
-            _why(m.heating, "no law of the card depends on the temperature, or it gives no specific heat"),
+        Effect("plastic heating", m.heating is not None, _heating_reason(m)),
+        _effect("thermal softening", softening, "the flow law does not depend on the temperature"),
+        _effect("melting", m.melting, "the card gives no melt_temp"),
+        _effect("damage", m.damage, "the card has no damage model"),
+        _effect(
+            "erosion", m.erosion, "the card asks for none: damage is computed and reported, it does not act"
         ),
-        Effect(
-            "thermal softening",
-            softens,
-            _why(m.flow if softens else None, "the flow law does not depend on the temperature"),
-        ),
-        Effect("melting", m.melting is not None, _why(m.melting, "the card gives no melt_temp")),
-        Effect("damage", m.damage is not None, _why(m.damage, "the card has no damage model")),
-        Effect(
-            "erosion",
-            m.erosion is not None,
-            _why(m.erosion, "the card asks for none: damage is computed and reported, it does not act"),
-        ),
+        _effect("loss of stability", m.stability, NOT_OFFERED),
     ]
 
 
-def _why(law: tuple | None, absent: str) -> str:
-    return absent if law is None else f"the card asks for it ({type(law).__name__})"
+def _effect(name: str, law: tuple | None, absent: str) -> Effect:
+    reason = absent if law is None else f"the card asks for it ({type(law).__name__})"
+    return Effect(name, law is not None, reason)
+
+
+def _heating_reason(m) -> str:
+    if hasattr(m.heating, "fraction"):
+        return f"{m.heating.fraction:g} of the plastic work becomes heat (taylor_quinney_coeff, default 0.9)"
+    if m.heating is not None:
+        return f"the card asks for it ({type(m.heating).__name__})"
+    if m.flow is None:
+        return "no plastic work: the card has no flow law"
+    if m.specific_heat is None:
+        return "the card gives no specific_heat"
+    if not m.needs_temperature:
+        return "no law of the card depends on the temperature"
+    return "turned off by the scene or the card"

@@ -30,6 +30,12 @@ class OutputError(MatpointError):
     """An output folder that cannot be used."""
 
 
+class DiskFull(OutputError):
+    """No space left for a run's results; what had been written is kept."""
+
+    exit_status = 3
+
+
 class UnsupportedError(MatpointError):
     """Something matpoint knows of but does not offer (yet); the message says what to use instead."""
 

@@ -45,9 +45,10 @@ def _import(name: str, path: Path) -> ModuleType:
     sys.modules[name] = module
     try:
         specification.loader.exec_module(module)
-    except Exception as reason:
+    except (Exception, SystemExit) as reason:
         del sys.modules[name]
         if isinstance(reason, MaterialError):
             raise
-        raise MaterialError(f"{path}: importing it failed with {type(reason).__name__}: {reason}") from reason
+        told = " ".join(str(reason).split())
+        raise MaterialError(f"{path}: importing it failed with {type(reason).__name__}: {told}") from reason
     return module

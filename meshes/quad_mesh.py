@@ -44,6 +44,7 @@ class QuadMesh:
         quads = np.array(self.quads, dtype=np.int64)
         try:
             _check_points(points)
+            _check_axes(points, self.boundaries.get("axis"))
             _check_quads(points, quads)
             boundaries = order_boundaries(points, quads, self.boundaries)
             _put_axis_at_zero(points, boundaries["axis"])
@@ -90,6 +91,16 @@ def _check_points(points: np.ndarray) -> None:
         raise MeshError(
             f"node {node} has r = {points[node, 0]:g} m; move the body to r >= 0 (r is x, z is y)"
         )
+
+
+def _check_axes(points: np.ndarray, axis: np.ndarray | None) -> None:
+    """Raise MeshError when the axis lies where z = 0: before anything else that swapped axes get wrong."""
+    if axis is None or len(axis) == 0 or np.max(axis) >= len(points) or np.min(axis) < 0:
+        return
+    r, z = np.abs(points[np.asarray(axis).ravel()]).T
+    near = ON_AXIS * np.abs(points).max()
+    if z.max() <= near < r.max():
+        raise MeshError("'axis' lies on z = 0, not on r = 0: swap the coordinates (r is x, z is y)")
 
 
 def _check_quads(points: np.ndarray, quads: np.ndarray) -> None:

@@ -1,10 +1,15 @@
 """The mesh of a scene's bar: the cylinder's, or the user's own."""
 
+from math import sqrt
+from operator import index
+
 from core_models.errors import MeshError, SceneError
 from meshes.quad_mesh import QuadMesh
 from studies.scene import Scene
 
 FIT = 0.01  # largest relative difference between an own mesh's size and the cylinder it stands for
+MOST_POINTS = 4_000_000
+BYTES_PER_POINT = 1000  # state, kinematics and output of one point, roughly
 
 
 def bar_mesh(scene: Scene, resolution: int) -> QuadMesh:
@@ -13,7 +18,7 @@ def bar_mesh(scene: Scene, resolution: int) -> QuadMesh:
         return own_mesh(scene)
     from meshes.taylor_bar import taylor_bar
 
-    return taylor_bar(scene.bar.radius, scene.bar.length, check_resolution(resolution))
+    return taylor_bar(scene.bar.radius, scene.bar.length, check_resolution(scene, resolution))
 
 
 def own_mesh(scene: Scene) -> QuadMesh:
@@ -40,8 +45,23 @@ def own_resolution(scene: Scene) -> int:
     return len(own_mesh(scene).boundaries["foot"])
 
 
-def check_resolution(resolution: int) -> int:
-    """A resolution that leaves at least two elements or cells across the radius; raises SceneError."""
-    if resolution < 2:
-        raise SceneError(f"resolution {resolution} leaves no usable cell across the radius; give 2 or more")
-    return resolution
+def check_resolution(scene: Scene, resolution: int) -> int:
+    """A resolution of at least two elements or cells across the radius whose points fit in memory.
+
+    Raises SceneError, before anything of that size is made.
+    """
+    try:
+        number = index(resolution)
+    except TypeError as error:
+        raise SceneError(f"resolution {resolution!r} is no whole number; give one like 8") from error
+    if number < 2:
+        raise SceneError(f"resolution {number} leaves no usable cell across the radius; give 2 or more")
+    points_of_one = 4.0 * scene.bar.length / scene.bar.radius
+    largest = int(sqrt(MOST_POINTS / points_of_one))
+    if number > largest:
+        points = points_of_one * number**2
+        raise SceneError(
+            f"resolution {number} makes some {points:.2g} points, which need about "
+            f"{points * BYTES_PER_POINT / 2**30:.0f} GiB of memory; give {largest} or less"
+        )
+    return number

@@ -7,6 +7,7 @@ from importlib import import_module
 
 from studies.options import Parser
 from studies.own_packages import check_own_packages
+from studies.process import discard_output, interruptible, tolerate_any_text
 
 VERBS = {
     "run": "run a scene by one method",
@@ -21,27 +22,35 @@ EXAMPLES = """examples:
   matpoint run taylor-classic --method mpm --resolution 16 --wall plane
   matpoint models johnson_cook
 """
-INTERRUPTED = 130
+BAD_INPUT, INTERRUPTED = 2, 130
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; returns the exit status: 0, 2 for bad input, 3 for a run that went wrong."""
+    tolerate_any_text()
     try:
-        check_own_packages()
-        options = _parse(list(sys.argv[1:] if arguments is None else arguments))
-        return options.execute(options)
-    except KeyboardInterrupt:
+        with interruptible():
+            check_own_packages()
+            options = _parse(list(sys.argv[1:] if arguments is None else arguments))
+            status = options.execute(options)
+            sys.stdout.flush()
+            return status
+    except KeyboardInterrupt as interrupt:
         print("matpoint: interrupted; what had been written is kept, without run.json", file=sys.stderr)
-        return INTERRUPTED
+        return getattr(interrupt, "exit_status", INTERRUPTED)
     except BrokenPipeError:
-        sys.stderr.close()
+        discard_output()
         return 0
+    except OSError as error:
+        discard_output()
+        print(f"matpoint: {error.filename or 'output'}: {error.strerror or error}", file=sys.stderr)
+        return BAD_INPUT
     except Exception as error:
         # MatpointError is known by its status: importing it here would load the compiler for --help.
         status = getattr(error, "exit_status", None)
         if status is None:
             raise
-        print(f"matpoint: {error}", file=sys.stderr)
+        print(f"matpoint: {' '.join(str(error).splitlines())}", file=sys.stderr)
         return status
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 from core_models.errors import UnsupportedError
 from core_models.walls import check_wall
 from studies.comparison import Comparison, conclude
-from studies.methods import check_run, resolutions_of
+from studies.methods import planned_runs
 from studies.output_folder import OutputFolder
 from studies.report.page import report_page
 from studies.run_record import run_entry, to_json
@@ -28,15 +28,13 @@ def compare(
 ) -> Comparison:
     """Run a scene by every method at every resolution under one wall and compare.
 
-    resolutions: elements or cells across the radius (default: the scene's own for each method); out: folder
-    for results.json, report.html and one subfolder per run (default: nothing is written). A run that goes
+    resolutions: elements or cells across the radius (default: the scene's own for each method), each run once;
+    out: folder for results.json, report.html and one subfolder per run (default: nothing is written). A run that goes
     wrong is recorded with its message and does not stop the others.
     Raises SceneError, MeshError, OutputError before anything is written.
     """
     wall = check_wall(wall or scene.wall)
-    plan = [(method, n) for method in methods for n in sorted(resolutions or resolutions_of(scene, method))]
-    for method, resolution in plan:
-        check_run(scene, method, resolution)
+    plan = planned_runs(scene, methods, resolutions)
     if out is None:
         return conclude(scene, wall, [_one(scene, *job, wall, threads, None, progress) for job in plan])
     with OutputFolder(out) as folder:

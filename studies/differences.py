@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from math import hypot
 
 from studies.convergence import Estimate
-from studies.display import plus_minus, shown_name, shown_unit, with_unit
+from studies.display import plus_minus, shown_title, shown_unit, with_unit
 from studies.methods import METHODS
 from studies.run_result import RunResult
 
@@ -87,7 +87,7 @@ def _sentence(
     relative = _relative(abs(gap), estimates[0].value)
     if relative is not None:
         by += f", {100.0 * relative:.2g} %"
-    subject = f"{shown_name(name).capitalize()}: {told[0]} and {told[1]}"
+    subject = f"{shown_title(name)}: {told[0]} and {told[1]}"
     if uncertainty is None:
         return f"{subject} differ by {by}; one resolution does not tell their errors."
     if agree is None:

@@ -19,6 +19,12 @@ def shown_name(quantity: str) -> str:
     return quantity.replace("_", " ").replace(" L0", " L₀")
 
 
+def shown_title(quantity: str) -> str:
+    """A quantity's name as words that begin with a capital: Radius at 0.2 L₀."""
+    words = shown_name(quantity)
+    return words[:1].upper() + words[1:]
+
+
 def shown_unit(unit: str) -> str:
     """The convenient unit's name: m -> mm."""
     return SHOWN_UNITS[unit][1]

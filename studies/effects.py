@@ -6,6 +6,8 @@ from core_models.material import Effect
 from core_models.walls import MEANING
 from studies.scene import Scene
 
+STANDARD_GRAVITY = 9.80665  # m/s^2
+
 
 def scene_effects(scene: Scene, wall: str) -> list[Effect]:
     """All effects of a scene under a wall, on and off, each with its reason."""
@@ -19,24 +21,34 @@ def _own_effects(scene: Scene, wall: str) -> list[Effect]:
         Effect(
             "wall friction",
             False,
-            "frictionless wall: the scene's benchmark, and nothing else is offered yet",
+            "the wall is frictionless: only such walls are offered yet",
         ),
         Effect("bulk viscosity", viscosity is not None, _viscosity_reason(viscosity)),
         Effect("heat conduction", False, _conduction_reason(scene, wall)),
-        Effect("gravity", False, "changes velocities by less than 0.01 m/s in the time simulated"),
+        Effect("gravity", False, _gravity_reason(scene, wall)),
         Effect("three dimensions", False, "the scene is axisymmetric; no twist, no buckling"),
     ]
 
 
 def _conduction_reason(scene: Scene, wall: str) -> str:
     material = scene.material
-    if material.specific_heat is None or material.thermal_conductivity is None:
-        return "adiabatic: not offered yet, and the card gives no conductivity and specific heat"
+    needed = {
+        "thermal_conductivity": material.thermal_conductivity,
+        "specific_heat": material.specific_heat,
+    }
+    missing = [tag for tag, value in needed.items() if value is None]
+    if missing:
+        return f"adiabatic: not offered yet, and the card gives no {' and no '.join(missing)}"
     diffusivity = material.thermal_conductivity / (material.density * material.specific_heat.value)
     travelled = sqrt(diffusivity * scene.end.limit(wall))
     return (
         f"adiabatic: with the card's conductivity heat would travel {travelled * 1e3:.2g} mm; not offered yet"
     )
+
+
+def _gravity_reason(scene: Scene, wall: str) -> str:
+    change = STANDARD_GRAVITY * scene.end.limit(wall)
+    return f"would change velocities by {change:.1g} m/s of {-scene.bar.velocity:g} m/s; not offered yet"
 
 
 def _viscosity_reason(viscosity) -> str:

@@ -24,7 +24,14 @@ class Ending:
         """Whether the bar left the wall at least one axial period ago."""
         if self._period is None or self._contact.last is None:
             return False
-        return solver.time - self._contact.last >= self._period and solver.momentum > 0.0
+        return solver.time >= self._contact.last + self._period and solver.momentum > 0.0
+
+    def next_stop(self, solver) -> float:
+        """The next time at which the run may be over [s]: no step shall pass it."""
+        if self._period is None or self._contact.last is None:
+            return self._limit
+        release = self._contact.last + self._period
+        return min(self._limit, release) if release > solver.time else self._limit
 
     def expected(self, solver) -> float:
         """Best guess of the end time now [s]."""
@@ -37,7 +44,5 @@ class Ending:
         if self.released(solver):
             return f"one axial period after the bar left the wall at {self._contact.last * 1e6:.4g} µs"
         if self._period is not None:
-            return (
-                f"latest time {self._limit * 1e6:.4g} µs reached before the bar had left for one axial period"
-            )
-        return f"end time {self._limit * 1e6:.4g} µs"
+            return f"at the latest time, {self._limit * 1e6:.4g} µs, before the bar had left for one axial period"
+        return f"at the end time, {self._limit * 1e6:.4g} µs"

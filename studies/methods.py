@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from core_models.errors import SceneError
+from core_models.names import suggestion
 from studies.bar_mesh import bar_mesh, check_resolution, own_resolution
-from studies.names import nearest
 from studies.scene import Scene
 
 
@@ -27,7 +27,7 @@ DEFAULT_RESOLUTION = (8, 12, 16)
 def find_method(name: str) -> Method:
     """The method of that name; raises SceneError naming the nearest one."""
     if name not in METHODS:
-        raise SceneError(f"unknown method '{name}'; {nearest(name, METHODS)}")
+        raise SceneError(f"unknown method '{name}'; {suggestion(name, METHODS)}")
     return METHODS[name]
 
 
@@ -42,12 +42,23 @@ def resolutions_of(scene: Scene, method: str) -> tuple[int, ...]:
 def check_run(scene: Scene, method: str, resolution: int) -> None:
     """Refuse, before anything is written, a method or resolution that cannot be run; raises SceneError."""
     find_method(method)
-    check_resolution(resolution)
+    check_resolution(scene, resolution)
     if scene.mesh is not None and method == "fem-explicit" and resolution != own_resolution(scene):
         raise SceneError(
             f"{scene.mesh}: has {own_resolution(scene)} elements across the radius, not {resolution}; "
             "leave the resolution out"
         )
+
+
+def planned_runs(
+    scene: Scene, methods: tuple[str, ...], resolutions: tuple[int, ...] | None
+) -> list[tuple[str, int]]:
+    """Every method at every resolution (default: the scene's), coarse to fine, each once, all checked."""
+    plan = [(method, n) for method in methods for n in resolutions or resolutions_of(scene, method)]
+    for method, resolution in plan:
+        check_run(scene, method, resolution)
+    order = list(dict.fromkeys(methods))
+    return sorted(set(plan), key=lambda job: (order.index(job[0]), job[1]))
 
 
 def build_solver(scene: Scene, method: str, resolution: int, wall: str, threads: int):

@@ -3,15 +3,29 @@
 import inspect
 from collections.abc import Iterator
 
+from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.errors import SceneError
-from core_models.schema import SLOTS, ModelSchema, SlotSchema
-from studies.names import nearest
+from core_models.melting.constant import ConstantMelting
+from core_models.names import suggestion
+from core_models.schema import CONSTANTS, ELASTICITY, SLOTS, ModelSchema, SlotSchema
+from core_models.specific_heat.constant import ConstantSpecificHeat
 from studies.text_table import aligned
+
+PLAIN_LAWS = {
+    "elasticity": IsotropicElastic,
+    "melting": ConstantMelting,
+    "specific_heat": ConstantSpecificHeat,
+}
+"""Laws that a card gives by plain tags, without a block and a type."""
 
 
 def model_list() -> str:
     """All laws by slot: card type, class, one line."""
-    parts = []
+    parts = [
+        f"{slot}  by plain tags\n  {' '.join(f'<{p.tag}>' for p in model.parameters)}  {model.law.__name__}  "
+        f"{_first_line(model)}"
+        for slot, model in _plain_models()
+    ]
     for slot in SLOTS:
         rows = [
             [f"  {model.types[0]}", f"{model.law.__name__:<24}{_first_line(model)}"] for model in slot.models
@@ -27,9 +41,13 @@ def model_text(name: str) -> str:
     found = [
         _explained(slot, model) for slot, model in _models() if name in (*model.types, model.law.__name__)
     ]
+    found += [
+        _told(slot, model, "plain tags") for slot, model in _plain_models() if name == model.law.__name__
+    ]
     if not found:
         valid = {known for _, model in _models() for known in (*model.types, model.law.__name__)}
-        raise SceneError(f"no law '{name}'; {nearest(name, valid)}")
+        valid |= {law.__name__ for law in PLAIN_LAWS.values()}
+        raise SceneError(f"no law '{name}'; {suggestion(name, valid)}")
     return "\n\n".join(found)
 
 
@@ -37,17 +55,26 @@ def _models() -> Iterator[tuple[SlotSchema, ModelSchema]]:
     return ((slot, model) for slot in SLOTS for model in slot.models)
 
 
+def _plain_models() -> Iterator[tuple[str, ModelSchema]]:
+    for slot, law in PLAIN_LAWS.items():
+        tags = tuple(p for p in (*ELASTICITY, *CONSTANTS) if p.field.startswith(f"{slot}."))
+        yield slot, ModelSchema((), law, "", tags)
+
+
 def _first_line(model: ModelSchema) -> str:
     return (inspect.getdoc(model.law) or model.help).splitlines()[0].rstrip(":")
 
 
 def _explained(slot: SlotSchema, model: ModelSchema) -> str:
-    head = f"{model.law.__name__}  (slot {slot.slot}; module {model.law.__module__})"
-    card = f'In a card: <{slot.tags[0]} {slot.attribute}="{model.types[0]}">'
+    return _told(slot.slot, model, f'<{slot.tags[0]} {slot.attribute}="{model.types[0]}">')
+
+
+def _told(slot: str, model: ModelSchema, card: str) -> str:
+    head = f"{model.law.__name__}  (slot {slot}; module {model.law.__module__})"
     rows = [
         [f"  <{p.tag}>", f"[{p.unit}]".ljust(10), str(p.range).ljust(18), f"{p.help} ({p.requirement})"]
         for p in model.parameters
     ]
     width = max((len(row[3]) for row in rows), default=0)
     tags = aligned([[*row[:3], row[3].ljust(width)] for row in rows]) if rows else "  no tags"
-    return f"{head}\n\n{inspect.getdoc(model.law)}\n\n{card}\n{tags}"
+    return f"{head}\n\n{inspect.getdoc(model.law)}\n\nIn a card: {card}\n{tags}"

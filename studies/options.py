@@ -1,9 +1,8 @@
 """Options that several commands share, and a parser whose errors are one line with the nearest valid name."""
 
 import argparse
+import re
 from typing import NoReturn
-
-from studies.names import nearest
 
 
 class Parser(argparse.ArgumentParser):
@@ -21,7 +20,9 @@ class Parser(argparse.ArgumentParser):
         """Parse, refusing unknown options by name."""
         namespace, unknown = self.parse_known_args(arguments)
         if unknown:
-            self.error(f"unknown option '{unknown[0]}'; {nearest(unknown[0], namespace.known_options)}")
+            from core_models.names import suggestion
+
+            self.error(f"unknown option '{unknown[0]}'; {suggestion(unknown[0], namespace.known_options)}")
         return namespace
 
     def error(self, message: str) -> NoReturn:
@@ -34,14 +35,14 @@ class Parser(argparse.ArgumentParser):
 def whole_numbers(text: str) -> tuple[int, ...]:
     """Whole numbers separated by commas."""
     words = text.split(",")
-    if not all(word.isascii() and word.isdigit() for word in words):
+    if not all(re.fullmatch("[0-9]{1,9}", word) for word in words):
         raise argparse.ArgumentTypeError(f"'{text}' is not a list of whole numbers like 8,12,16")
     return tuple(int(word) for word in words)
 
 
 def positive(text: str) -> int:
     """A whole number of at least 1."""
-    if not (text.isascii() and text.isdigit() and int(text) > 0):
+    if not re.fullmatch("[0-9]{1,9}", text) or int(text) < 1:
         raise argparse.ArgumentTypeError(f"'{text}' is not a whole number of 1 or more")
     return int(text)
 

@@ -1,10 +1,11 @@
 """A run's folder: claimed by one process, written file by file, never half a file."""
 
 import fcntl
+import os
 import shutil
 from pathlib import Path
 
-from core_models.atomic import replacing
+from core_models.atomic import replacing, unwritable
 from core_models.errors import OutputError
 
 LOCK = ".lock"
@@ -25,24 +26,37 @@ class OutputFolder:
             self.path.mkdir(parents=True, exist_ok=True)
             self._lock = open(self.path / LOCK, "a")  # noqa: SIM115 - held open as long as the folder is ours
         except OSError as error:
-            raise OutputError(
-                f"{self.path}: cannot write here ({error.strerror}); choose another with --out"
-            ) from error
+            raise unwritable(self.path, error) from error
         self._claim()
 
     def _claim(self) -> None:
         try:
             fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            check_unused(self.path)
         except OSError as error:
             self._lock.close()
-            raise _in_use(self.path, "another run is writing to it") from error
+            raise _live(self.path) from error
+        if _holds_files(self.path):
+            self._lock.close()
+            raise _not_empty(self.path)
 
     def file(self, name: str) -> Path:
         """The path of a file in the folder, its own folder made; to be written atomically."""
+        if not self._is_ours():
+            raise OutputError(
+                f"{self.path}: was removed while the run was writing to it; run again and leave it alone"
+            )
         target = self.path / name
-        target.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            target.parent.mkdir(exist_ok=True)
+        except OSError as error:
+            raise unwritable(target, error) from error
         return target
+
+    def _is_ours(self) -> bool:
+        try:
+            return os.path.samestat(os.fstat(self._lock.fileno()), os.stat(self.path / LOCK))
+        except OSError:
+            return False
 
     def write_text(self, name: str, text: str) -> None:
         """Write one text file, atomically."""
@@ -56,16 +70,17 @@ class OutputFolder:
 
     def subfolder(self, name: str) -> "OutputFolder":
         """A folder of its own for one of several runs."""
-        return OutputFolder(self.path / name)
+        return OutputFolder(self.file(name))
 
     def release(self) -> None:
         """Give the folder up: remove the lock, and the folders made for it that stayed empty."""
         (self.path / LOCK).unlink(missing_ok=True)
         self._lock.close()
         for folder in self._made:
-            if any(folder.iterdir()):
-                break
-            folder.rmdir()
+            if folder.is_dir():
+                if any(folder.iterdir()):
+                    break
+                folder.rmdir()
 
     def __enter__(self) -> "OutputFolder":
         return self
@@ -77,11 +92,40 @@ class OutputFolder:
 def check_unused(path: Path | str) -> None:
     """Refuse a folder that holds anything but an abandoned lock; writes nothing. Raises OutputError."""
     path = Path(path)
-    if path.exists() and not path.is_dir():
-        raise OutputError(f"{path}: is a file, not a folder; choose another with --out")
-    if path.is_dir() and any(entry.name != LOCK for entry in path.iterdir()):
-        raise _in_use(path, "it is not empty")
+    try:
+        if path.exists() and not path.is_dir():
+            raise OutputError(f"{path}: is a file, not a folder; choose another with --out")
+        if path.is_dir() and _is_held(path):
+            raise _live(path)
+        if path.is_dir() and _holds_files(path):
+            raise _not_empty(path)
+    except OSError as error:
+        raise OutputError(f"{path}: cannot be used ({error.strerror}); choose another with --out") from error
 
 
-def _in_use(path: Path, why: str) -> OutputError:
-    return OutputError(f"{path}: output folder in use ({why}); choose another with --out, or remove it")
+def _holds_files(path: Path) -> bool:
+    return any(entry.name != LOCK for entry in path.iterdir())
+
+
+def _is_held(path: Path) -> bool:
+    """Whether a live process has the lock of a folder."""
+    if not (path / LOCK).exists():
+        return False
+    with open(path / LOCK) as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            return True
+    return False
+
+
+def _live(path: Path) -> OutputError:
+    return OutputError(
+        f"{path}: output folder in use (another run is writing to it); choose another with --out"
+    )
+
+
+def _not_empty(path: Path) -> OutputError:
+    return OutputError(
+        f"{path}: output folder in use (it is not empty); choose another with --out, or remove it"
+    )

@@ -1,5 +1,6 @@
 """Observer: a progress bar with the time left, when the output is a terminal."""
 
+import os
 import sys
 import time
 from typing import TextIO
@@ -46,8 +47,21 @@ class Progress(Observer):
         self._show("")
 
     def _show(self, text: str) -> None:
-        self._stream.write(f"\r\x1b[K{text}")
+        self._stream.write(f"\r\x1b[K{text[: columns(self._stream) - 1]}")
         self._stream.flush()
+
+
+def can_show(stream: TextIO) -> bool:
+    """Whether a stream is a terminal that can rewrite its line."""
+    return stream.isatty() and os.environ.get("TERM") != "dumb"
+
+
+def columns(stream: TextIO) -> int:
+    """Width of the terminal; 80 where it cannot be known."""
+    try:
+        return os.get_terminal_size(stream.fileno()).columns or 80
+    except OSError:
+        return 80
 
 
 def clock(seconds: float) -> str:

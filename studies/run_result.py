@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from core_models.errors import RunFailure
+from core_models.errors import DiskFull, RunFailure
 from studies.costs import Cost
 from studies.history import History
 from studies.scene import Scene
@@ -34,7 +34,7 @@ class RunResult:
     threads: int
     history: History
     cost: Cost
-    failure: RunFailure | None = None
+    failure: RunFailure | DiskFull | None = None
     ended: str = ""
     points: int = 0
     quantities: dict[str, Quantity] = field(default_factory=dict)

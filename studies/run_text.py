@@ -20,7 +20,7 @@ def run_text(result: RunResult) -> str:
     table = aligned([[*row[:3], row[3].ljust(width)] for row in rows])
     cost = result.cost
     return (
-        f"{result.scene.name}, {result.label}, wall {result.wall}; ended: {result.ended}\n\n{table}\n\n"
+        f"{result.scene.name}, {result.label}, wall {result.wall}; ended {result.ended}\n\n{table}\n\n"
         f"{result.points} points, {cost.steps} steps, {cost.wall_s:.1f} s in all "
         f"(compilation {cost.compile_s:.1f} s); energy closes to {100.0 * result.conservation['energy']:.3f} %"
     )

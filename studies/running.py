@@ -1,9 +1,10 @@
 """One run: a scene by one method at one resolution, with its folder."""
 
 import time
+from contextlib import suppress
 from pathlib import Path
 
-from core_models.errors import RunFailure
+from core_models.errors import DiskFull, OutputError, RunFailure
 from core_models.walls import check_wall
 from studies.contact_watch import ContactWatch
 from studies.costs import Cost, measured
@@ -13,11 +14,12 @@ from studies.history import ENERGIES, History
 from studies.methods import build_solver, check_run, resolutions_of
 from studies.observer import Observer
 from studies.output_folder import OutputFolder
+from studies.process import check_interrupted
 from studies.progress import Progress
 from studies.run_record import run_record, to_json
 from studies.run_result import FinalState, RunResult
 from studies.scene import Scene
-from studies.scene_writer import write_scene
+from studies.scene_copy import SceneCopy
 from studies.taylor_impact import measure
 
 
@@ -71,21 +73,28 @@ def simulate(
         mass = solver.mass
         contact, history = ContactWatch(), History(folder, scene.end.limit(wall))
         ending = Ending(scene, wall, contact)
-        observers: list[Observer] = [contact, history]
-        if folder is not None:
-            write_scene(scene, wall, folder)
-            observers.append(Frames(folder, scene.end.limit(wall)))
+        observers: list[Observer] = [contact]
         if progress:
             observers.append(Progress(f"{method} {resolution}", ending))
+        if folder is not None:
+            observers += [SceneCopy(scene, wall, folder), Frames(folder, scene.end.limit(wall))]
+        observers.append(history)
         result = RunResult(scene, method, resolution, wall, threads, history, cost)
         result.failure = _advance(solver, ending, observers, cost)
     _conclude(result, solver, ending, contact, mass)
     if folder is not None:
-        folder.write_text("run.json", to_json(run_record(result)))
+        _record(result, folder)
     return result
 
 
-def _advance(solver, ending: Ending, observers: list[Observer], cost: Cost) -> RunFailure | None:
+def _record(result: RunResult, folder: OutputFolder) -> None:
+    try:
+        folder.write_text("run.json", to_json(run_record(result)))
+    except DiskFull as failure:
+        result.failure = result.failure or failure
+
+
+def _advance(solver, ending: Ending, observers: list[Observer], cost: Cost) -> RunFailure | DiskFull | None:
     """Step to the end, observed; returns the failure that stopped it, if one did."""
     began = time.perf_counter()
     finished = False
@@ -93,7 +102,8 @@ def _advance(solver, ending: Ending, observers: list[Observer], cost: Cost) -> R
         for observer in observers:
             observer.start(solver)
         while not ending.reached(solver):
-            solver.advance()
+            check_interrupted()
+            solver.advance(ending.next_stop(solver))
             observing = time.perf_counter()
             for observer in observers:
                 observer.step(solver)
@@ -101,14 +111,20 @@ def _advance(solver, ending: Ending, observers: list[Observer], cost: Cost) -> R
         for observer in observers:
             observer.finish(solver)
         finished = True
-    except RunFailure as failure:
+    except (RunFailure, DiskFull) as failure:
         return failure
     finally:
         cost.stepping_s = time.perf_counter() - began - cost.output_s
         if not finished:
-            for observer in observers:
-                observer.abandon()
+            _abandon(observers)
     return None
+
+
+def _abandon(observers: list[Observer]) -> None:
+    for observer in observers:
+        # What stopped the run is told, not that its folder takes no more.
+        with suppress(OutputError):
+            observer.abandon()
 
 
 def _conclude(result: RunResult, solver, ending: Ending, contact: ContactWatch, mass: float) -> None:

@@ -1,6 +1,7 @@
 """Attributes of a scene document's elements, read strictly."""
 
 import math
+import re
 from pathlib import Path
 
 from lxml import etree
@@ -8,7 +9,7 @@ from lxml import etree
 from core_models.cards import refusal
 from core_models.cards.numbers import NUMBER
 from core_models.errors import SceneError
-from studies.names import nearest
+from core_models.names import suggestion
 
 
 def number_attribute(element: etree._Element, name: str, default: float | None = None) -> float | None:
@@ -41,14 +42,14 @@ def choice(element: etree._Element, name: str, valid: tuple[str, ...]) -> str:
     """One of the valid words, which must be there."""
     text = required_text(element, name)
     if text not in valid:
-        raise refusal(element, f'{name}="{text}" is unknown', nearest(text, valid), SceneError)
+        raise refusal(element, f'{name}="{text}" is unknown', suggestion(text, valid), SceneError)
     return text
 
 
 def whole_numbers(element: etree._Element, name: str) -> tuple[int, ...]:
     """Whole numbers of at least 2, ascending, separated by blanks; empty when the attribute is left out."""
     words = element.get(name, "").split()
-    if not all(word.isascii() and word.isdigit() and int(word) >= 2 for word in words):
+    if not all(re.fullmatch("[0-9]{1,9}", word) and int(word) >= 2 for word in words):
         raise refusal(
             element,
             f'{name}="{element.get(name)}" leaves no cell',

@@ -15,6 +15,7 @@
 </scene>
 """
 
+import re
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
@@ -34,6 +35,7 @@ from studies.scene import End, Scene
 from studies.scene_attributes import choice, local_file, number_attribute, required_number, whole_numbers
 from studies.shipped_scenes import find_scene
 
+NAME = re.compile(r"[^\W_][\w.-]{0,99}")  # it becomes a part of a folder's name
 REPEATABLE = ("reference", "reference_curve")
 TAGS = (
     "description",
@@ -71,7 +73,7 @@ def read_scene(
             raise refusal(root, f"<scene> lacks <{tag}>", "add it", SceneError)
     card = parse_material(children["material"])
     return Scene(
-        name=root.get("name", path.stem),
+        name=_name(root, path),
         material=_with_heating(card.material, children.get("plastic_heating")),
         bar=read_bar(card.bodies, children["material"]),
         end=_end(children["end"]),
@@ -85,6 +87,18 @@ def read_scene(
         laws=own_laws,
         unused=tuple(f"{Path(tag.file).name}:{tag.line}: <{tag.tag}>" for tag in card.unused),
     )
+
+
+def _name(root: etree._Element, path: Path) -> str:
+    name = root.get("name", path.stem)
+    if not NAME.fullmatch(name):
+        raise refusal(
+            root,
+            f"the scene's name {name!r} cannot be used",
+            'give <scene name="..."> a letter or digit, then letters, digits, ., - and _, 100 at most',
+            SceneError,
+        )
+    return name
 
 
 def _file(element: etree._Element | None, folder: Path) -> Path | None:

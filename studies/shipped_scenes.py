@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from core_models.errors import SceneError
-from studies.names import nearest
+from core_models.names import suggestion
 
 SCENES_FOLDER = Path(__file__).resolve().parent / "scenes"
 
@@ -21,4 +21,6 @@ def find_scene(name: str | Path) -> Path:
     path = Path(name)
     if path.suffix == ".xml" or path.is_file():
         return path
-    raise SceneError(f"no scene '{name}'; {nearest(str(name), shipped)} (or give the path of a scene file)")
+    raise SceneError(
+        f"no scene '{name}'; {suggestion(str(name), shipped)} (or give the path of a scene file)"
+    )

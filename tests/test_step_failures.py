@@ -86,7 +86,13 @@ def test_a_step_that_stays_bad_ends_the_run_with_the_last_good_state(running):
     assert len(tried) == MAXIMUM_REDOS + 1
     message = str(failure.value)
     assert "\n" not in message
-    for part in ("step 21", f"t = {solver.time:.6e} s", f"point {BAD_POINT}", "JohnsonCook", "try another resolution"):
+    for part in (
+        "step 21",
+        f"t = {solver.time:.6e} s",
+        f"point {BAD_POINT}",
+        "JohnsonCook",
+        "try another resolution",
+    ):
         assert part in message
     assert_equal(everything(solver), before)
 

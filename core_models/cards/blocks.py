@@ -4,9 +4,9 @@ from collections.abc import Collection, Iterable, Mapping
 
 from lxml import etree
 
-from core_models.cards.names import valid_names
 from core_models.cards.origins import XML_BASE, origin, quoted, refusal
 from core_models.errors import UnsupportedError
+from core_models.names import suggestion
 from core_models.schema import UNAVAILABLE_TAGS, Inert, Parameter
 
 
@@ -17,7 +17,7 @@ def check_attributes(element: etree._Element, valid: Collection[str]) -> None:
             raise refusal(
                 element,
                 f"<{element.tag}> has an unknown attribute {attribute}",
-                valid_names(attribute, valid),
+                suggestion(attribute, valid),
             )
 
 
@@ -70,7 +70,7 @@ def _unknown(element: etree._Element, child: etree._Element, names: Mapping[str,
         return refusal(
             child,
             f"<{child.tag}> is known but not available",
-            f"delete it; {valid_names('', names)}",
+            f"delete it; {suggestion('', names)}",
             UnsupportedError,
         )
-    return refusal(child, f"unknown tag <{child.tag}> in <{element.tag}>", valid_names(child.tag, names))
+    return refusal(child, f"unknown tag <{child.tag}> in <{element.tag}>", suggestion(child.tag, names))

@@ -6,9 +6,9 @@ from lxml import etree
 
 from core_models.cards.blocks import check_attributes, check_text, named_children, names_of
 from core_models.cards.models import read_numbers
-from core_models.cards.names import valid_names
 from core_models.cards.origins import refusal
 from core_models.errors import UnsupportedError
+from core_models.names import suggestion
 from core_models.schema import BODY, CYLINDER, UNAVAILABLE_SHAPES
 
 Vector = tuple[float, float, float]
@@ -39,7 +39,7 @@ def read_body(element: etree._Element) -> Cylinder:
     children = named_children(element, names)
     numbers = read_numbers(element, BODY, children, {})
     if "cylinder" not in children:
-        raise refusal(element, "<geom_object> has no shape", valid_names("", ("cylinder",)))
+        raise refusal(element, "<geom_object> has no shape", suggestion("", ("cylinder",)))
     shape = children["cylinder"]
     check_attributes(shape, ("label",))
     check_text(shape)

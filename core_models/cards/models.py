@@ -5,10 +5,10 @@ from collections.abc import Mapping
 from lxml import etree
 
 from core_models.cards.blocks import check_attributes, named_children, names_of
-from core_models.cards.names import valid_names
 from core_models.cards.numbers import check_inert, read_value
 from core_models.cards.origins import quoted, refusal
 from core_models.errors import UnsupportedError
+from core_models.names import suggestion
 from core_models.schema import ModelSchema, Parameter, SlotSchema
 
 Numbers = Mapping[str, float]
@@ -36,7 +36,7 @@ def chosen_model(element: etree._Element, slot: SlotSchema) -> ModelSchema | Non
         raise refusal(
             element,
             f"unknown {slot.attribute} {quoted(name)} of <{element.tag}>",
-            valid_names(name, slot.types),
+            suggestion(name, slot.types),
         )
     return model
 

@@ -1,6 +1,15 @@
 """The declarative schema of material cards: what is read, checked, written and listed."""
 
-from core_models.schema.entries import Inert, Interval, ModelSchema, Parameter, SlotSchema
+from core_models.schema.entries import (
+    ANY,
+    NOT_NEGATIVE,
+    POSITIVE,
+    Inert,
+    Interval,
+    ModelSchema,
+    Parameter,
+    SlotSchema,
+)
 from core_models.schema.quantities import (
     BODY,
     CONSTANTS,
@@ -13,9 +22,11 @@ from core_models.schema.quantities import (
     UNAVAILABLE_SHAPES,
     UNAVAILABLE_TAGS,
 )
+from core_models.schema.registration import register_model
 from core_models.schema.slots import SLOTS, UPDATE
 
 __all__ = [
+    "ANY",
     "BODY",
     "CONSTANTS",
     "CYLINDER",
@@ -23,6 +34,8 @@ __all__ = [
     "ELASTICITY",
     "EXPANSION",
     "HEATED_FRACTION",
+    "NOT_NEGATIVE",
+    "POSITIVE",
     "SLOTS",
     "TOLERANCE",
     "UNAVAILABLE_SHAPES",
@@ -33,4 +46,5 @@ __all__ = [
     "ModelSchema",
     "Parameter",
     "SlotSchema",
+    "register_model",
 ]

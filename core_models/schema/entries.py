@@ -90,9 +90,11 @@ class ModelSchema:
     ascending: tuple[tuple[str, str], ...] = ()
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class SlotSchema:
     """One slot of a Material: the tags that fill it (first: the one written), where they stand, its models.
+
+    Nothing of it changes but `models`, and these only by `register_model`.
 
     `plain` types switch nothing on; `unavailable` types are known from other codes and refused by name.
     `absent` says what a card without the tag gets; empty means that the tag is required.
@@ -118,4 +120,8 @@ class SlotSchema:
 
     def model_of(self, law: tuple) -> ModelSchema | None:
         """The model whose law this is."""
-        return next((model for model in self.models if model.law is type(law)), None)
+        return self.model_of_class(type(law))
+
+    def model_of_class(self, law: type) -> ModelSchema | None:
+        """The model of a class of laws."""
+        return next((model for model in self.models if model.law is law), None)

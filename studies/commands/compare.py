@@ -29,6 +29,7 @@ def execute(options: argparse.Namespace) -> int:
     scene = asked_scene(options)
     from studies.comparing import compare
     from studies.methods import METHODS
+    from studies.progress import can_show
     from studies.text_table import comparison_text
 
     out = Path(options.out or default_folder(scene.name))
@@ -39,7 +40,7 @@ def execute(options: argparse.Namespace) -> int:
         wall=options.wall,
         threads=options.threads,
         out=out,
-        progress=sys.stderr.isatty(),
+        progress=can_show(sys.stderr),
     )
     if comparison.notice:
         print(f"matpoint: {comparison.notice}", file=sys.stderr)

@@ -4,6 +4,7 @@ examples:
   matpoint models
   matpoint models johnson_cook
   matpoint models MechanicalThreshold
+  matpoint models ludwik --laws my_laws.py
 """
 
 import argparse
@@ -12,11 +13,15 @@ import argparse
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Options of `matpoint models`."""
     parser.add_argument("name", metavar="NAME", nargs="?", help="a law's class name or its type in a card")
+    parser.add_argument("--laws", metavar="FILE", help="Python file with laws of your own")
 
 
 def execute(options: argparse.Namespace) -> int:
     """Print the list or one law."""
+    from core_models import user_laws
     from studies.model_text import model_list, model_text
 
+    if options.laws is not None:
+        user_laws.load(options.laws)
     print(model_list() if options.name is None else model_text(options.name))
     return 0

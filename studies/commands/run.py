@@ -26,6 +26,7 @@ def execute(options: argparse.Namespace) -> int:
     """Run and print."""
     scene = asked_scene(options)
     method, resolution = _one(options.methods, "method"), _one(options.resolution, "resolution")
+    from studies.progress import can_show
     from studies.run_text import run_text
     from studies.running import run
 
@@ -37,7 +38,7 @@ def execute(options: argparse.Namespace) -> int:
         wall=options.wall,
         threads=options.threads,
         out=out,
-        progress=sys.stderr.isatty(),
+        progress=can_show(sys.stderr),
     )
     print(f"{run_text(result)}\n\n{out}")
     return 0

@@ -3,7 +3,7 @@
 import numpy as np
 
 from studies.comparison import Comparison
-from studies.display import SHOWN_UNITS, shown_name
+from studies.display import SHOWN_UNITS, shown_name, shown_title
 from studies.methods import METHODS
 from studies.report.drawing import FAINT, METHOD_COLOURS, as_svg, drawing
 
@@ -33,7 +33,7 @@ def _show(ax, name: str, comparison: Comparison) -> None:
         if check.reference.quantity == name:
             low, high = check.reference.low * scale, check.reference.high * scale
             ax.axhspan(low, high, color=FAINT, alpha=0.35, linewidth=1.0)
-    title = shown_name(name).capitalize().replace("Max ", "Largest ")
+    title = shown_title(name).replace("Max ", "Largest ")
     ax.set(title=f"{title} [{shown}]" if shown else title, xlabel=f"1 / N, wall {comparison.wall}")
     ax.set_xlim(left=-0.004)
 

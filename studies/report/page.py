@@ -83,7 +83,8 @@ def _results(comparison: Comparison) -> list[str]:
 def _accounts(comparison: Comparison) -> list[str]:
     ledger = (
         "Energies in J; each dissipative term is integrated from its own power, none is the remainder. "
-        "The last three columns are relative errors of the balances."
+        "Strain holds all that the stress stores, the thermal part of the equation of state's energy too, and may "
+        "be negative. The last three columns are relative errors of the balances."
     )
     cost = (
         "Total counts everything: mesh, compilation, steps, output. Compilation is zero once the kernels are "
@@ -114,7 +115,7 @@ def _verdicts(comparison: Comparison) -> str:
 
 def _ends(comparison: Comparison) -> str:
     return "; ".join(
-        f"{METHODS[run.method].label} {run.resolution} ended at {run.ended}" for run in comparison.finest
+        f"{METHODS[run.method].label} {run.resolution} ended {run.ended}" for run in comparison.finest
     )
 
 

@@ -3,7 +3,16 @@
 from html import escape
 
 from studies.comparison import Comparison
-from studies.display import number, plus_minus, shown, shown_name, shown_percent, shown_unit, with_unit
+from studies.display import (
+    number,
+    plus_minus,
+    shown,
+    shown_name,
+    shown_percent,
+    shown_title,
+    shown_unit,
+    with_unit,
+)
 from studies.effects import scene_effects
 from studies.history import ENERGIES
 from studies.methods import METHODS
@@ -134,7 +143,7 @@ def quantity_notes(comparison: Comparison) -> list[str]:
     missing = [
         (name, quantity.note) for name, quantity in finest[0].quantities.items() if quantity.value is None
     ]
-    return ["; ".join(told) + "."] + [f"{shown_name(name).capitalize()}: {note}." for name, note in missing]
+    return ["; ".join(told) + "."] + [f"{shown_title(name)}: {note}." for name, note in missing]
 
 
 def _heading(name: str, unit: str) -> str:

@@ -91,7 +91,7 @@ def test_missing_include_names_the_folders_tried(tmp_path):
     [
         ("<include/>", "names no file"),
         ('<include href=" "/>', "names no file"),
-        ('<include hrf="b.xml"/>', "did you mean href?"),
+        ('<include hrf="b.xml"/>', "did you mean 'href'?"),
         ('<include href="a\tb.xml"/>', "not found"),
         ('<include href="http://example.org/b.xml"/>', "not found"),
         ('<include href="b.xml"/>text', "stray text 'text'"),

@@ -199,3 +199,9 @@ def test_quality_figures_of_a_known_mesh():
     assert figures.max_aspect_ratio == pytest.approx(np.sqrt(2.0))
     assert (figures.min_edge, figures.area) == pytest.approx((np.sqrt(2.0), 2.0))
     assert figures.volume == pytest.approx(2 * np.pi * 0.5 * 2.0)
+
+
+def test_swapped_coordinates_are_called_that():
+    """An axis on z = 0 means r and z are swapped: the message says so, not that elements are clockwise."""
+    points, quads, boundaries = block()
+    assert "swap the coordinates" in refusal(points[:, ::-1], quads, boundaries)

@@ -1,12 +1,16 @@
 """A solver that only pretends, in place of the real ones: two points that shorten, widen, stop and bounce off."""
 
+import errno
+import os
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from core_models.atomic import replacing
 from core_models.errors import RunFailure
 from core_models.points import Field
+from meshes.io import write_polygons_vtu
 from studies.scene_reader import read_scene
 
 LENGTH, RADIUS, SPEED, DURATION = 32.4e-3, 3.2e-3, 227.0, 60e-6
@@ -56,9 +60,9 @@ class FakeSolver:
             kinetic=237.0 - plastic, plastic=plastic, **parts, initial=240.0, relative_error=1e-3
         )
 
-    def advance(self) -> None:
-        """One step."""
-        self.time += self.time_step
+    def advance(self, limit: float = np.inf) -> None:
+        """One step, which does not pass the limit."""
+        self.time = min(self.time + self.time_step, limit)
         self.step_count += 1
         self.point_updates += 2
         if self.time >= self._fails_at:
@@ -108,3 +112,16 @@ def fake_solvers(monkeypatch):
 def classic():
     """The shipped classic scene."""
     return read_scene("taylor-classic")
+
+
+@pytest.fixture
+def full_disk(monkeypatch):
+    """No space for frames after the first ones, as the operating system says it."""
+
+    def refuse(path, polygons, cell_data):
+        if path.name.endswith("0005.vtu"):
+            with replacing(path):
+                raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        write_polygons_vtu(path, polygons, cell_data)
+
+    monkeypatch.setattr("meshes.io.write_polygons_vtu", refuse)

@@ -1,6 +1,7 @@
 """The command: verbs, options, exit statuses, one-line errors."""
 
 import json
+import re
 import subprocess
 import sys
 import time
@@ -8,6 +9,7 @@ import time
 import pytest
 
 from studies.command_line import VERBS, main
+from studies.shipped_scenes import SCENES_FOLDER
 
 
 def said(capsys):
@@ -50,6 +52,8 @@ except SystemExit:
         (["run", "taylor-classic", "--wall", "plan"], "plane"),
         (["run", "taylor-classic", "--resolution", "x"], "whole numbers"),
         (["run", "taylor-classic", "--resolution", "0"], "cell"),
+        (["check", "taylor-classic", "--resolution", "100000"], "GiB of memory"),
+        (["run", "taylor-classic", "--out", "x" * 300], "--out"),
         (["run", "taylor-classic", "--resolution", "8,12"], "matpoint compare"),
         (["run", "taylor-classic", "--threads", "0"], "1 or more"),
         (["compare", "no.xml"], "no such file"),
@@ -92,17 +96,6 @@ def test_a_run_that_goes_wrong_ends_with_status_3(fake_solvers, capsys, tmp_path
     assert statuses.count("failed") == 2
 
 
-def test_ctrl_c_is_clean(capsys, monkeypatch):
-    """An interrupt ends with status 130 and one line."""
-
-    def interrupt(options):
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr("studies.commands.scenes.execute", interrupt)
-    assert main(["scenes"]) == 130
-    assert said(capsys)[1].count("\n") == 1
-
-
 def test_scenes_are_listed(capsys):
     """Every shipped scene with its description."""
     assert main(["scenes"]) == 0
@@ -137,3 +130,49 @@ def test_a_package_that_shadows_ours_is_named(monkeypatch, capsys, tmp_path):
     monkeypatch.syspath_prepend(tmp_path)
     assert main(["scenes"]) == 2
     assert f"{stranger}" in said(capsys)[1]
+
+
+def test_check_lists_each_run_once(capsys):
+    """Repeated methods and resolutions are one run."""
+    assert main(["check", "taylor-classic", "--methods", "mpm,mpm", "--resolution", "4,4"]) == 0
+    assert said(capsys)[0].count("mpm 4") == 1
+
+
+def test_check_remarks_on_a_bar_that_has_melted(capsys, tmp_path):
+    """A body that begins at or above its melting temperature is worth a line."""
+    text = (SCENES_FOLDER / "taylor-copper-jc.xml").read_text()
+    (tmp_path / "hot.xml").write_text(text.replace("<temperature>294<", "<temperature>1400<"))
+    assert main(["check", str(tmp_path / "hot.xml"), "--resolution", "4"]) == 0
+    assert "remark: the bar begins at 1400 K" in said(capsys)[0]
+
+
+@pytest.mark.parametrize("name", ["IsotropicElastic", "ConstantMelting", "ConstantSpecificHeat"])
+def test_models_knows_the_laws_of_plain_tags(name, capsys):
+    """Laws without a block in the card are listed and explained too."""
+    assert main(["models"]) == 0
+    assert name in said(capsys)[0]
+    assert main(["models", name]) == 0
+    assert "plain tags" in said(capsys)[0]
+
+
+def test_nonsense_gets_the_list_of_names_and_no_suggestion(capsys):
+    """Only a name that is alike is suggested."""
+    assert main(["run", "taylor-classic", "--wall", "qqqqq"]) == 2
+    _, err = said(capsys)
+    assert "did you mean" not in err and "valid: plane, unilateral" in err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "run", "taken"),
+    [
+        (["taylor-classic", "--wall", "plane", "--resolution", "6"], "fem-explicit 6", 12656),
+        (["taylor-classic", "--resolution", "8"], "mpm 8", 1900),
+        (["taylor-copper-jc", "--resolution", "12"], "fem-explicit 12", 4089),
+    ],
+)
+def test_the_estimated_steps_hold_what_runs_have_taken(arguments, run, taken, capsys):
+    """A range, since elements are crushed by an amount that nobody knows before; counts of earlier runs."""
+    assert main(["check", *arguments]) == 0
+    row = next(line for line in said(capsys)[0].splitlines() if line.startswith(run))
+    low, high = re.search(r"(\d+) to (\d+)$", row).groups()
+    assert int(low) <= taken <= int(high)

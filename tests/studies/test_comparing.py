@@ -86,3 +86,17 @@ def test_without_matplotlib_there_are_results_and_a_notice(fake_solvers, classic
     assert "matpoint[report]" in comparison.notice
     assert (tmp_path / "out/results.json").exists()
     assert not (tmp_path / "out/report.html").exists()
+
+
+def test_repeated_methods_and_resolutions_run_once(fake_solvers, classic):
+    """Each run has its own folder, so each is made once, coarse to fine."""
+    comparison = compare(classic, ("mpm", "mpm"), (12, 8, 12))
+    assert [run.label for run in comparison.runs] == ["mpm 8", "mpm 12"]
+
+
+def test_a_comparison_on_a_full_disk_goes_on(fake_solvers, classic, tmp_path, full_disk):
+    """The runs that found no space are recorded as failed."""
+    compare(classic, resolutions=(8,), out=tmp_path / "out")
+    content = json.loads((tmp_path / "out/results.json").read_text())
+    assert [run["status"] for run in content["runs"]] == ["failed", "failed"]
+    assert "free space" in content["runs"][1]["message"]

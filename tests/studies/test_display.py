@@ -2,7 +2,7 @@
 
 import pytest
 
-from studies.display import number, plus_minus, shown_percent, with_unit
+from studies.display import number, plus_minus, shown_percent, shown_title, with_unit
 
 
 @pytest.mark.parametrize(
@@ -35,3 +35,8 @@ def test_percentages_are_signed_and_absent_ones_dashes():
     """+0.08 %, – for none."""
     assert shown_percent(0.00081) == "+0.08 %"
     assert shown_percent(None) == "–"
+
+
+def test_titles_keep_the_capitals_of_symbols():
+    """Only the first letter is raised; L₀ stays L₀."""
+    assert shown_title("radius_at_0.2_L0") == "Radius at 0.2 L₀"

@@ -6,7 +6,7 @@ import sys
 import pytest
 
 from core_models.errors import OutputError
-from studies.output_folder import LOCK, OutputFolder
+from studies.output_folder import LOCK, OutputFolder, check_unused
 
 
 def test_a_folder_that_holds_files_is_refused_and_left_alone(tmp_path):
@@ -58,3 +58,20 @@ def test_a_folder_that_stayed_empty_is_removed(tmp_path):
     with OutputFolder(tmp_path / "out"):
         assert (tmp_path / "out").is_dir()
     assert not (tmp_path / "out").exists()
+
+
+def test_a_live_run_with_files_is_not_to_be_removed(tmp_path):
+    """Only a folder that nobody is writing to may be called one to remove."""
+    with OutputFolder(tmp_path / "out") as folder:
+        folder.write_text("a.txt", "a")
+        with pytest.raises(OutputError, match="another run") as refused:
+            check_unused(tmp_path / "out")
+        assert "remove" not in str(refused.value)
+    with pytest.raises(OutputError, match="or remove it"):
+        check_unused(tmp_path / "out")
+
+
+def test_a_path_that_no_folder_can_have_is_refused(tmp_path):
+    """A name that is too long is an output error, not a traceback."""
+    with pytest.raises(OutputError, match="--out"):
+        OutputFolder(tmp_path / ("x" * 300))

@@ -62,7 +62,7 @@ def test_heating_can_be_turned_off(tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [
-        ("<wall ", "<wal ", "did you mean wall"),
+        ("<wall ", "<wal ", "did you mean 'wall'"),
         ('<wall type="unilateral"', '<wall kind="unilateral"', "type"),
         ('type="unilateral"', 'type="unilaterl"', "did you mean 'unilateral'"),
         ('time="80e-6"', 'time="80-6"', "no number"),
@@ -74,6 +74,8 @@ def test_heating_can_be_turned_off(tmp_path):
         ('quantity="foot_radius"', 'quantity="foot_radus"', "did you mean 'foot_radius'"),
         ('href="taylor-classic-history.csv"', 'href="../x.csv"', "out of the scene's folder"),
         ('href="taylor-classic-history.csv"', 'href="x.csv"', "no such file"),
+        ('name="taylor-classic"', 'name="../../escape"', "letters, digits"),
+        ('name="taylor-classic"', 'name=""', "letters, digits"),
         ("-227.0]", "227.0]", "point to the wall"),
         ("[0.0,0.0,-227.0]", "[5.0,0.0,-227.0]", "straight impact"),
         ("<density>8930.0", "<density>-8930.0", "density"),

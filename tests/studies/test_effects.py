@@ -1,0 +1,44 @@
+"""A scene's own effects: the reasons are worked out from the scene."""
+
+from dataclasses import replace
+
+import pytest
+
+from core_models.specific_heat.constant import ConstantSpecificHeat
+from studies.effects import scene_effects
+from studies.scene import End
+
+
+def reason(scene, name):
+    """Why an effect is on or off."""
+    return next(effect.reason for effect in scene_effects(scene, scene.wall) if effect.name == name)
+
+
+def test_gravity_is_worked_out_from_the_time_simulated(classic):
+    """g t: 0.0008 m/s in 80 µs, a hundred times that in a hundred times as long."""
+    assert "0.0008 m/s" in reason(classic, "gravity")
+    assert "0.08 m/s" in reason(replace(classic, end=End(time=8e-3)), "gravity")
+
+
+@pytest.mark.parametrize(
+    ("given", "absent", "present"),
+    [
+        ({}, "no thermal_conductivity and no specific_heat", None),
+        ({"thermal_conductivity": 386.0}, "no specific_heat", "thermal_conductivity"),
+        ({"specific_heat": ConstantSpecificHeat(383.0)}, "no thermal_conductivity", "specific_heat"),
+        (
+            {"thermal_conductivity": 386.0, "specific_heat": ConstantSpecificHeat(383.0)},
+            "would travel",
+            "gives",
+        ),
+    ],
+)
+def test_conduction_names_only_what_is_missing(classic, given, absent, present):
+    """A tag that the card gives is not called missing."""
+    told = reason(replace(classic, material=replace(classic.material, **given)), "heat conduction")
+    assert absent in told and (present is None or present not in told)
+
+
+def test_wall_friction_says_what_is_offered(classic):
+    """Frictionless because nothing else is offered, not because of a benchmark."""
+    assert "only such walls are offered" in reason(classic, "wall friction")
