@@ -1,43 +1,35 @@
 """The one kernel that is compiled for each material: advance a range of points by one step."""
 
 import math
-from typing import NamedTuple
 
-import numpy as np
-
+from core_models.columns import gather, get_point, put_point, scatter
 from core_models.compilation import CHUNK, inside_kernel, material_kernel
-from core_models.laws import predict
-from core_models.state import load_point, read, store_after, write, write_symmetric, write_tensor
-from core_models.status import NOT_FINITE, OK
+from core_models.laws import predict, predict_carefully
+from core_models.rows import (
+    F0,
+    F1,
+    LEFT_STRETCH,
+    LENGTH,
+    ROTATION,
+    get,
+    get_tensor,
+    put_symmetric,
+    put_tensor,
+)
+from core_models.state import load_point, write
+from core_models.status import NOT_FINITE, OK, UNSETTLED
 from core_models.tensors import load_tensor
-from core_models.updates.balance import complete_point
+from core_models.updates.balance import complete_point, get_balance, put_balance
 from core_models.updates.prediction import (
-    CORRECTION_SIZE,
-    PREDICTION_SIZE,
     correct,
-    load_correction,
-    load_prediction,
-    store_prediction,
+    get_correction,
+    get_prediction,
+    put_correction,
+    put_prediction,
+    search,
 )
 
 WORK, PLASTIC, VISCOUS, SPEED, PRESSURE = 0, 1, 2, 3, 4
-
-
-class Workspace(NamedTuple):
-    """What the parts of a step leave for each other: one row per point of a chunk."""
-
-    predictions: np.ndarray
-    corrections: np.ndarray
-    statuses: np.ndarray
-
-
-def make_workspace() -> Workspace:
-    """A workspace for one thread."""
-    return Workspace(
-        np.zeros((CHUNK, PREDICTION_SIZE)),
-        np.zeros((CHUNK, CORRECTION_SIZE)),
-        np.zeros(CHUNK, dtype=np.int64),
-    )
 
 
 @material_kernel
@@ -63,7 +55,7 @@ def advance_points(
 
     Parameters
     ----------
-    first, last : range of chunks of CHUNK points. workspace : the thread's own `Workspace`.
+    first, last : range of chunks of CHUNK points. workspace : the thread's own `Workspace` (core_models.rows).
     model, viscosity : laws. f0, f1 : (n, 3, 3) deformation gradient before and after. dt : [s].
     volumes : (n,) reference volumes [m^3]. lengths : (n,) characteristic lengths [m].
     old, new : `State`. wave_speed (n,) [m/s] and viscous (n,) [Pa] or None are written.
@@ -71,42 +63,90 @@ def advance_points(
     pressure [Pa]; failures : (chunks, 2) status and point.
     """
     n = f1.shape[0]
-    predictions, corrections, statuses = workspace
+    rows, statuses = workspace
     over_dt = 1.0 / dt
     for chunk in range(first, last):
         start = chunk * CHUNK
         count = min(CHUNK, n - start)
         for k in range(count):
-            i = start + k
-            statuses[k], prediction, rotation, left_stretch = predict(
-                model.update, model, load_tensor(f0, i), load_tensor(f1, i), load_point(old, i)
-            )
-            store_prediction(predictions, k, prediction)
-            write_tensor(new.rotation, i, rotation)
-            write_symmetric(new.left_stretch, i, left_stretch)
-        for k in range(count):
-            if statuses[k] == OK:
-                statuses[k] = correct(model, predictions, corrections, k, over_dt, old, start + k)
+            gather(rows, k, f0, f1, lengths, old, start + k)
+        predict_chunk(rows, statuses, count, start, model, f0, f1, old)
+        correct_chunk(rows, statuses, count, model, over_dt)
+        complete_chunk(rows, count, model, viscosity, dt)
         for column in range(sums.shape[1]):
             sums[chunk, column] = 0.0
         failures[chunk, 0] = OK
         for k in range(count):
             i = start + k
             if statuses[k] == OK:
-                point, balance = complete_point(
-                    model, viscosity, load_prediction(predictions, k), load_correction(corrections, k), dt,
-                    read(lengths, i, 0.0), load_point(old, i),
-                )  # fmt: skip
-                store_after(new, i, point)
-                add_balance(sums, chunk, volumes[i], balance)
+                balance = get_balance(rows, k)
+                scatter(rows, k, new, i)
                 wave_speed[i] = balance.wave_speed
                 write(viscous, i, balance.viscous_pressure)
-                energies = balance.stress_work + balance.viscous
-                if not math.isfinite(energies + balance.wave_speed + point.temperature + point.damage):
+                add_balance(sums, chunk, volumes[i], balance)
+                if not is_finite(balance, get_point(rows, k)):
                     statuses[k] = NOT_FINITE
             if statuses[k] != OK and failures[chunk, 0] == OK:
                 failures[chunk, 0] = statuses[k]
                 failures[chunk, 1] = i
+
+
+@inside_kernel
+def predict_chunk(rows, statuses, count, start, model, f0, f1, old):
+    """Elastic trials of the points in the rows."""
+    for k in range(count):
+        statuses[k], prediction, rotation, left_stretch = predict(
+            model.update, model, get_tensor(rows, F0, k), get_tensor(rows, F1, k), get_point(rows, k)
+        )
+        put_trial(rows, k, prediction, rotation, left_stretch)
+    for k in range(count):
+        if statuses[k] == UNSETTLED:
+            i = start + k
+            statuses[k], prediction, rotation, left_stretch = predict_carefully(
+                model.update, model, load_tensor(f0, i), load_tensor(f1, i), load_point(old, i)
+            )
+            put_trial(rows, k, prediction, rotation, left_stretch)
+
+
+@inside_kernel
+def put_trial(rows, k, prediction, rotation, left_stretch):
+    """Write the results of a first part at point k."""
+    put_prediction(rows, k, prediction)
+    put_tensor(rows, ROTATION, k, rotation)
+    put_symmetric(rows, LEFT_STRETCH, k, left_stretch)
+
+
+@inside_kernel
+def correct_chunk(rows, statuses, count, model, over_dt):
+    """Returns to the yield surface of the points in the rows."""
+    for k in range(count):
+        status, correction = correct(model, get_prediction(rows, k), over_dt, get_point(rows, k))
+        put_correction(rows, k, correction)
+        statuses[k] = status if statuses[k] == OK else statuses[k]
+    for k in range(count):
+        if statuses[k] == UNSETTLED:
+            statuses[k], correction = search(model, get_prediction(rows, k), over_dt, get_point(rows, k))
+            put_correction(rows, k, correction)
+
+
+@inside_kernel
+def complete_chunk(rows, count, model, viscosity, dt):
+    """State after the step of the points in the rows."""
+    for k in range(count):
+        point, balance = complete_point(
+            model, viscosity, get_prediction(rows, k), get_correction(rows, k), dt, get(rows, LENGTH, k),
+            get_point(rows, k),
+        )  # fmt: skip
+        put_point(rows, k, point)
+        put_balance(rows, k, balance)
+
+
+@inside_kernel
+def is_finite(balance, point):
+    """Whether a step has led to numbers: what is not one reaches at least one of these."""
+    energies = balance.stress_work + balance.viscous
+    history = point.temperature + point.damage + point.equivalent_plastic_strain
+    return math.isfinite(energies + balance.wave_speed + history)
 
 
 @inside_kernel

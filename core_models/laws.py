@@ -48,7 +48,7 @@ def return_to_surface(
     yield_condition, flow, trial, shear_3, stress_before, plastic_strain, hardening_variable, over_dt, temperature,
     tolerance,
 ):  # fmt: skip
-    """Return an equivalent trial stress to the yield surface.
+    """Return an equivalent trial stress to the yield surface, in a straight line of arithmetic as far as that does.
 
     Parameters
     ----------
@@ -60,7 +60,8 @@ def return_to_surface(
 
     Returns
     -------
-    (factor on the trial deviator, equivalent plastic strain increment, flow stress [Pa], hardening variable, status)
+    (factor on the trial deviator, equivalent plastic strain increment, flow stress [Pa], hardening variable, status);
+    the status UNSETTLED leaves the point to `search_surface`
     """
 
 
@@ -68,6 +69,20 @@ def return_to_surface(
 def _(
     yield_condition, flow, trial, shear_3, stress_before, plastic_strain, hardening_variable, over_dt, temperature,
     tolerance,
+):  # fmt: skip
+    return 1.0, 0.0, 0.0, hardening_variable, OK
+
+
+@generic
+def search_surface(
+    yield_condition, flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, tolerance,
+):  # fmt: skip
+    """What `return_to_surface` leaves with the status UNSETTLED, by iterations; the same results."""
+
+
+@search_surface.register(type(None))
+def _(
+    yield_condition, flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, tolerance,
 ):  # fmt: skip
     return 1.0, 0.0, 0.0, hardening_variable, OK
 
@@ -143,7 +158,7 @@ def _(erosion, damage, deviator, mean_stress):
 
 @generic
 def predict(update, material, f0, f1, point):
-    """First part of a step at one point: kinematics and the elastic trial.
+    """First part of a step at one point: kinematics and the elastic trial, in a straight line as far as that does.
 
     Parameters
     ----------
@@ -152,8 +167,14 @@ def predict(update, material, f0, f1, point):
 
     Returns
     -------
-    (status, `Prediction`, rotation, left stretch) - the last two as far as the update has them
+    (status, `Prediction`, rotation, left stretch) - the last two as far as the update has them; the status UNSETTLED
+    leaves the point to `predict_carefully`
     """
+
+
+@generic
+def predict_carefully(update, material, f0, f1, point):
+    """The same as `predict` for any step: large rotations and those that no point can follow."""
 
 
 @generic

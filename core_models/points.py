@@ -7,9 +7,10 @@ import numpy as np
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.compilation import CHUNK
 from core_models.errors import RunFailure
-from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points, make_workspace
+from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points
 from core_models.laws import elastic_moduli, pressure
 from core_models.material import Material
+from core_models.rows import make_workspace
 from core_models.state import State
 from core_models.status import MEANING, OK
 from core_models.threads import Threads

@@ -11,7 +11,7 @@ Source: Flanagan & Taylor, Comput. Methods Appl. Mech. Eng. 62 (1987) 305, eqs. 
 
 import math
 
-from core_models.compilation import inside_kernel
+from core_models.compilation import beside_kernel, inside_kernel
 from core_models.tensors import (
     IDENTITY,
     determinant,
@@ -101,6 +101,27 @@ def turns_far(a):
 
 
 @inside_kernel
+def small_rotation_increment(f, rotation):
+    """The same as `rotation_increment` in a straight line of two increments, for the rotation of an explicit step.
+
+    Returns
+    -------
+    Q, V and whether they are right.
+    """
+    a = product_transposed(f, rotation)
+    limit = SYMMETRY_TOLERANCE * (a[0] + a[4] + a[8])
+    is_small = not turns_far(a)
+    first = symmetrising_rotation(asymmetry_solver(a), a[7] - a[5], a[2] - a[6], a[3] - a[1])
+    a = product_transposed(a, first)
+    second = symmetrising_rotation(asymmetry_solver(a), a[7] - a[5], a[2] - a[6], a[3] - a[1])
+    a = product_transposed(a, second)
+    v = symmetric_part(a)
+    is_symmetric = abs(a[7] - a[5]) + abs(a[2] - a[6]) + abs(a[3] - a[1]) <= limit
+    is_definite = v[0] > 0.0 and v[0] * v[1] > v[3] * v[3]
+    return product(second, first), v, is_small and is_symmetric and is_definite
+
+
+@beside_kernel
 def rotation_increment(f, rotation):
     """Increment Q of the rotation and new left stretch V: f = V (Q rotation).
 

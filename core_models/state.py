@@ -150,9 +150,11 @@ def load_point(state, i):
 
 
 @inside_kernel
-def store_after(state, i, point):
-    """Write the state of point i after a step, but for rotation and stretch, which the prediction has written."""
+def store_point(state, i, point):
+    """Write the state of point i."""
     store_symmetric(state.stress, i, point.stress)
+    write_tensor(state.rotation, i, point.rotation)
+    write_symmetric(state.left_stretch, i, point.left_stretch)
     write_symmetric(state.elastic_left_cauchy_green, i, point.elastic_left_cauchy_green)
     write(state.equivalent_plastic_strain, i, point.equivalent_plastic_strain)
     write(state.hardening_variable, i, point.hardening_variable)

@@ -5,6 +5,7 @@ INVERTED = 1
 NOT_CONVERGED = 2
 BEYOND_EOS = 3
 NOT_FINITE = 4
+UNSETTLED = 5  # only within a step: the straight line did not do, the careful way follows
 
 MEANING = {
     INVERTED: "the point is inverted (det F <= 0)",

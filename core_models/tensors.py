@@ -219,11 +219,21 @@ def equivalent_stress(s):
 
 
 @inside_kernel
+def is_near_one(x):
+    """Whether x lies where explicit steps put ratios of volumes, and where `cube_root_near_one` is right."""
+    return abs(x - 1.0) <= 0.02
+
+
+@inside_kernel
 def cube_root(x):
-    """Cube root of x > 0; near 1, where explicit steps put it, by the binomial series to round-off."""
+    """Cube root of x > 0."""
+    return cube_root_near_one(x) if is_near_one(x) else x**THIRD
+
+
+@inside_kernel
+def cube_root_near_one(x):
+    """Cube root of x near 1 by the binomial series, to round-off."""
     e = x - 1.0
-    if abs(e) > 0.02:
-        return x**THIRD
     return 1.0 + e * (
         1.0 / 3.0
         - e

@@ -1,8 +1,8 @@
 """Johnson-Cook damage."""
 
-import math
 from typing import NamedTuple
 
+from core_models.elementary import exponential, logarithm
 from core_models.laws import damage_increment
 
 
@@ -45,8 +45,8 @@ def _(damage, strain_increment, plastic_rate, temperature, mean_stress, equivale
         triaxiality = min(max(mean_stress / equivalent_stress, -LARGEST_TRIAXIALITY), LARGEST_TRIAXIALITY)
     homologous = min(max((temperature - damage.T_r) / (damage.T_m - damage.T_r), 0.0), 1.0)
     failure_strain = (
-        (damage.D1 + damage.D2 * math.exp(damage.D3 * triaxiality))
-        * (1.0 + damage.D4 * math.log(max(plastic_rate, 1.0)))
+        (damage.D1 + damage.D2 * exponential(damage.D3 * triaxiality))
+        * (1.0 + damage.D4 * logarithm(max(plastic_rate, 1.0)))
         * (1.0 + damage.D5 * homologous)
     )
     return strain_increment / max(failure_strain, SMALLEST_FAILURE_STRAIN)

@@ -1,8 +1,8 @@
 """Johnson-Cook flow stress."""
 
-import math
 from typing import NamedTuple
 
+from core_models.elementary import logarithm, power
 from core_models.laws import flow_stress
 
 
@@ -38,23 +38,21 @@ SMALLEST_STRAIN = 1e-12
 
 @flow_stress.register(JohnsonCook)
 def _(flow, hardening_variable, plastic_strain, plastic_rate, temperature):
-    # Without branches, so that what depends on the temperature alone leaves the loop of the return.
+    # Without branches, so that the loop over points takes several points per instruction.
     homologous = min(max((temperature - flow.T_r) / (flow.T_m - flow.T_r), 0.0), 1.0)
-    softening = homologous**flow.m
+    softening = power(homologous, flow.m)
     thermal = 1.0 - softening
-    thermal_slope = 0.0
-    if 0.0 < homologous < 1.0:
-        thermal_slope = -flow.m * softening / (homologous * (flow.T_m - flow.T_r))
-    hardening = flow.B * max(plastic_strain, SMALLEST_STRAIN) ** flow.n
-    if plastic_strain < SMALLEST_STRAIN:
-        slope = hardening / SMALLEST_STRAIN
-        hardening = slope * plastic_strain
-    else:
-        slope = flow.n * hardening / plastic_strain
-    rate_factor, rate_slope = 1.0, 0.0
-    if plastic_rate > flow.epdot_0:
-        rate_factor = 1.0 + flow.C * math.log(plastic_rate / flow.epdot_0)
-        rate_slope = flow.C / plastic_rate
+    thermal_slope = -flow.m * softening / (max(homologous, SMALLEST_STRAIN) * (flow.T_m - flow.T_r))
+    thermal_slope = thermal_slope if 0.0 < homologous < 1.0 else 0.0
+    strain = max(plastic_strain, SMALLEST_STRAIN)
+    hardening = flow.B * power(strain, flow.n)
+    slope = hardening / strain
+    is_straight = plastic_strain < SMALLEST_STRAIN
+    hardening = slope * plastic_strain if is_straight else hardening
+    slope = slope if is_straight else flow.n * slope
+    rate = max(plastic_rate, flow.epdot_0)
+    rate_factor = 1.0 + flow.C * logarithm(rate / flow.epdot_0)
+    rate_slope = flow.C / rate if plastic_rate > flow.epdot_0 else 0.0
     strength = (flow.A + hardening) * thermal
     return (
         strength * rate_factor,

@@ -15,6 +15,7 @@ from core_models.laws import (
     pressure,
     stress_measure,
 )
+from core_models.rows import BALANCE, get, put
 from core_models.state import PointState
 from core_models.tensors import mean, plus_isotropic, scaled
 from core_models.updates.prediction import NO_STRESS
@@ -109,3 +110,22 @@ def damaged(material, point, increment, dt, mean_stress, equivalent_stress):
     return point.damage + damage_increment(
         material.damage, increment, increment / dt, point.temperature, mean_stress, equivalent_stress
     )
+
+
+@inside_kernel
+def get_balance(rows, k):
+    """What the step did at point k."""
+    return Balance(
+        get(rows, BALANCE, k), get(rows, BALANCE + 1, k), get(rows, BALANCE + 2, k),
+        get(rows, BALANCE + 3, k), get(rows, BALANCE + 4, k),
+    )  # fmt: skip
+
+
+@inside_kernel
+def put_balance(rows, k, balance):
+    """Write what the step did at point k."""
+    put(rows, BALANCE, k, balance.wave_speed)
+    put(rows, BALANCE + 1, k, balance.viscous_pressure)
+    put(rows, BALANCE + 2, k, balance.stress_work)
+    put(rows, BALANCE + 3, k, balance.plastic)
+    put(rows, BALANCE + 4, k, balance.viscous)

@@ -3,17 +3,26 @@
 from typing import NamedTuple
 
 from core_models.compilation import inside_kernel
-from core_models.laws import complete, elastic_moduli, is_beyond_eos, predict, stress_measure
-from core_models.status import BEYOND_EOS, INVERTED, OK
+from core_models.laws import (
+    complete,
+    elastic_moduli,
+    is_beyond_eos,
+    predict,
+    predict_carefully,
+    stress_measure,
+)
+from core_models.status import BEYOND_EOS, INVERTED, OK, UNSETTLED
 from core_models.tensors import (
     THIRD,
     congruence,
     contract,
     cube_root,
+    cube_root_near_one,
     determinant,
     deviator,
     equivalent_stress,
     inverse,
+    is_near_one,
     plus_isotropic,
     product,
     scaled,
@@ -22,7 +31,7 @@ from core_models.tensors import (
 )
 from core_models.updates.prediction import NO_PREDICTION, Prediction
 
-SQUARE_ROOT_OF_ROUND_OFF = 1e-8
+NEWTON_STEPS = 6  # to round-off for a deviator up to 1/2, a yield stress of half the shear modulus
 
 
 class HyperelasticPlastic(NamedTuple):
@@ -47,35 +56,48 @@ class HyperelasticPlastic(NamedTuple):
 
 
 @inside_kernel
-def unimodular(deviatoric):
-    """Symmetric tensor of determinant 1 with a given deviator: solves det(deviatoric + x 1) = 1 for x by Newton.
+def unimodular_mean(deviatoric):
+    """Mean of the symmetric tensor of determinant 1 with a given deviator: det(deviatoric + x 1) = 1 by Newton.
 
     det = x^3 - x |d|^2 / 2 + det d increases and is convex right of its largest root; Newton's error squares each time.
+    A fixed number of steps keeps the loop over points free of branches.
     """
     half_square = 0.5 * contract(deviatoric, deviatoric)
     constant = symmetric_determinant(deviatoric) - 1.0
     x = 1.0 + (half_square - constant - 1.0) * THIRD
-    for _iteration in range(50):
-        step = ((x * x - half_square) * x + constant) / (3.0 * x * x - half_square)
-        x -= step
-        if abs(step) <= SQUARE_ROOT_OF_ROUND_OFF:
-            break
-    return plus_isotropic(deviatoric, x)
+    for _step in range(NEWTON_STEPS):
+        x -= ((x * x - half_square) * x + constant) / (3.0 * x * x - half_square)
+    return x
 
 
 @predict.register(HyperelasticPlastic)
+def _(update, material, f0, f1, point):
+    j0, j1 = determinant(f0), determinant(f1)
+    is_usual = is_near_one(j0 / j1) and j1 > 0.0 and not is_beyond_eos(material.eos, j1)
+    status = OK if is_usual else UNSETTLED
+    prediction = elastic_trial(material, f0, f1, j0, j1, cube_root_near_one(j0 / j1), point)
+    return status, prediction, point.rotation, point.left_stretch
+
+
+@predict_carefully.register(HyperelasticPlastic)
 def _(update, material, f0, f1, point):
     j0, j1 = determinant(f0), determinant(f1)
     if not j1 > 0.0:
         return INVERTED, NO_PREDICTION, point.rotation, point.left_stretch
     if is_beyond_eos(material.eos, j1):
         return BEYOND_EOS, NO_PREDICTION, point.rotation, point.left_stretch
+    prediction = elastic_trial(material, f0, f1, j0, j1, cube_root(j0 / j1), point)
+    return OK, prediction, point.rotation, point.left_stretch
+
+
+@inside_kernel
+def elastic_trial(material, f0, f1, j0, j1, isochoric, point):
+    """Prediction from the deformation gradients, their determinants and the cube root of J_0 / J_1."""
     shear = elastic_moduli(material.elasticity)[1]
     b0 = point.elastic_left_cauchy_green
-    isochoric = cube_root(j0 / j1)
     b_trial = scaled(congruence(product(f1, inverse(f0, j0)), b0), isochoric * isochoric)
     trial, before = scaled(deviator(b_trial), shear), scaled(deviator(b0), shear)
-    prediction = Prediction(
+    return Prediction(
         trial,
         j0,
         j1,
@@ -85,7 +107,6 @@ def _(update, material, f0, f1, point):
         0.5 * shear * (trace(b_trial) - trace(b0)),
         0.0,
     )
-    return OK, prediction, point.rotation, point.left_stretch
 
 
 @complete.register(HyperelasticPlastic)
@@ -93,14 +114,12 @@ def _(update, material, prediction, correction, point):
     over_shear = 1.0 / elastic_moduli(material.elasticity)[1]
     trial, factor = prediction.trial, correction.factor
     tau = scaled(trial, factor)
-    work = prediction.work
-    if correction.increment > 0.0:
-        # Trapezoidal rule: the part of the trial work that the return takes back. With the equivalent stress before,
-        # not the old stress along the new flow direction, a rotation in the step changes nothing.
-        work -= 0.5 * correction.increment * (prediction.stress - prediction.stress_before)
-    if factor == 1.0:
-        return tau, work, plus_isotropic(scaled(trial, over_shear), THIRD * prediction.shear_3 * over_shear)
-    return tau, work, unimodular(scaled(tau, over_shear))
+    # Trapezoidal rule: the part of the trial work that the return takes back. With the equivalent stress before,
+    # not the old stress along the new flow direction, a rotation in the step changes nothing.
+    work = prediction.work - 0.5 * correction.increment * (prediction.stress - prediction.stress_before)
+    elastic = scaled(tau, over_shear)
+    trial_mean = THIRD * prediction.shear_3 * over_shear
+    return tau, work, plus_isotropic(elastic, trial_mean if factor == 1.0 else unimodular_mean(elastic))
 
 
 @stress_measure.register(HyperelasticPlastic)

@@ -2,9 +2,17 @@
 
 from typing import NamedTuple
 
-from core_models.laws import complete, elastic_moduli, is_beyond_eos, predict, stress_measure
-from core_models.rotation import rotation_increment
-from core_models.status import BEYOND_EOS, INVERTED, OK
+from core_models.compilation import inside_kernel
+from core_models.laws import (
+    complete,
+    elastic_moduli,
+    is_beyond_eos,
+    predict,
+    predict_carefully,
+    stress_measure,
+)
+from core_models.rotation import rotation_increment, small_rotation_increment
+from core_models.status import BEYOND_EOS, INVERTED, OK, UNSETTLED
 from core_models.tensors import (
     congruence,
     contract,
@@ -43,17 +51,31 @@ class HypoelasticPlastic(NamedTuple):
 @predict.register(HypoelasticPlastic)
 def _(update, material, f0, f1, point):
     j0, j1 = determinant(f0), determinant(f1)
+    q, v1, is_right = small_rotation_increment(f1, point.rotation)
+    status = OK if is_right and j1 > 0.0 and not is_beyond_eos(material.eos, j1) else UNSETTLED
+    return status, elastic_trial(material, j0, j1, q, v1, point), product(q, point.rotation), v1
+
+
+@predict_carefully.register(HypoelasticPlastic)
+def _(update, material, f0, f1, point):
+    j0, j1 = determinant(f0), determinant(f1)
     if not j1 > 0.0:
         return INVERTED, NO_PREDICTION, point.rotation, point.left_stretch
     if is_beyond_eos(material.eos, j1):
         return BEYOND_EOS, NO_PREDICTION, point.rotation, point.left_stretch
-    shear = elastic_moduli(material.elasticity)[1]
     q, v1 = rotation_increment(f1, point.rotation)
+    return OK, elastic_trial(material, j0, j1, q, v1, point), product(q, point.rotation), v1
+
+
+@inside_kernel
+def elastic_trial(material, j0, j1, q, v1, point):
+    """Prediction from the volume ratios, the rotation increment and the new left stretch."""
+    shear = elastic_moduli(material.elasticity)[1]
     v0 = congruence(q, point.left_stretch)
     d = scaled(symmetric_part_of_product(minus(v1, v0), symmetric_inverse(plus(v1, v0))), 2.0)
     s0 = deviator(congruence(q, point.stress))
     trial = plus(s0, scaled(deviator(d), 2.0 * shear))
-    prediction = Prediction(
+    return Prediction(
         trial,
         j0,
         j1,
@@ -63,7 +85,6 @@ def _(update, material, f0, f1, point):
         contract(s0, d),
         contract(trial, d),
     )
-    return OK, prediction, product(q, point.rotation), v1
 
 
 @complete.register(HypoelasticPlastic)

@@ -1,20 +1,18 @@
 """What the parts of a step hand to each other: elastic trial, return to the yield surface, completion.
 
-The parts run one after the other over a chunk of points. Few numbers then live at a time, and the processor works on
-several points at once where a single long function would wait for itself: half the time per point.
+The parts run one after the other over the rows of a chunk of points (core_models.rows), each first in a straight line
+for all points and then carefully for those which that leaves.
 """
 
 from typing import NamedTuple
 
 from core_models.compilation import inside_kernel
-from core_models.laws import eroded_stress, melting_temperature, return_to_surface
-from core_models.state import read
+from core_models.laws import eroded_stress, melting_temperature, return_to_surface, search_surface
+from core_models.rows import CORRECTION, PREDICTION, get, get_symmetric, put, put_symmetric
 from core_models.status import OK
 
 NO_STRESS = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 SHEAR = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
-PREDICTION_SIZE = 13
-CORRECTION_SIZE = 4
 
 
 class Prediction(NamedTuple):
@@ -50,50 +48,79 @@ NO_PREDICTION = Prediction(NO_STRESS, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0)
 
 
 @inside_kernel
-def store_prediction(table, k, prediction):
-    """Write a prediction in row k."""
-    t = prediction.trial
-    table[k, 0], table[k, 1], table[k, 2], table[k, 3], table[k, 4], table[k, 5] = t
-    table[k, 6] = prediction.volume_ratio_0
-    table[k, 7] = prediction.volume_ratio_1
-    table[k, 8] = prediction.stress
-    table[k, 9] = prediction.stress_before
-    table[k, 10] = prediction.shear_3
-    table[k, 11] = prediction.work
-    table[k, 12] = prediction.along_flow
+def put_prediction(rows, k, prediction):
+    """Write the prediction of point k."""
+    put_symmetric(rows, PREDICTION, k, prediction.trial)
+    put(rows, PREDICTION + 6, k, prediction.volume_ratio_0)
+    put(rows, PREDICTION + 7, k, prediction.volume_ratio_1)
+    put(rows, PREDICTION + 8, k, prediction.stress)
+    put(rows, PREDICTION + 9, k, prediction.stress_before)
+    put(rows, PREDICTION + 10, k, prediction.shear_3)
+    put(rows, PREDICTION + 11, k, prediction.work)
+    put(rows, PREDICTION + 12, k, prediction.along_flow)
 
 
 @inside_kernel
-def load_prediction(table, k):
-    """The prediction in row k."""
+def get_prediction(rows, k):
+    """The prediction of point k."""
     return Prediction(
-        (table[k, 0], table[k, 1], table[k, 2], table[k, 3], table[k, 4], table[k, 5]),
-        table[k, 6], table[k, 7], table[k, 8], table[k, 9], table[k, 10], table[k, 11], table[k, 12],
+        get_symmetric(rows, PREDICTION, k),
+        get(rows, PREDICTION + 6, k),
+        get(rows, PREDICTION + 7, k),
+        get(rows, PREDICTION + 8, k),
+        get(rows, PREDICTION + 9, k),
+        get(rows, PREDICTION + 10, k),
+        get(rows, PREDICTION + 11, k),
+        get(rows, PREDICTION + 12, k),
+    )
+
+
+@inside_kernel
+def put_correction(rows, k, correction):
+    """Write the correction of point k."""
+    put(rows, CORRECTION, k, correction.factor)
+    put(rows, CORRECTION + 1, k, correction.increment)
+    put(rows, CORRECTION + 2, k, correction.flow_stress)
+    put(rows, CORRECTION + 3, k, correction.hardening_variable)
+
+
+@inside_kernel
+def get_correction(rows, k):
+    """The correction of point k."""
+    return Correction(
+        get(rows, CORRECTION, k),
+        get(rows, CORRECTION + 1, k),
+        get(rows, CORRECTION + 2, k),
+        get(rows, CORRECTION + 3, k),
+    )
+
+
+@inside_kernel
+def has_no_strength(material, point):
+    """Whether a point has melted or failed: it then carries no deviatoric stress."""
+    has_failed = eroded_stress(material.erosion, point.damage, SHEAR, 0.0)[0][3] == 0.0
+    return has_failed or point.temperature >= melting_temperature(material.melting)
+
+
+@inside_kernel
+def correct(material, prediction, over_dt, point):
+    """Return a prediction to the yield surface, or to zero: status and correction; UNSETTLED leaves it to `search`."""
+    factor, increment, flow_stress, hardening, status = return_to_surface(
+        material.yield_condition, material.flow, prediction.stress, prediction.shear_3, prediction.stress_before,
+        point.equivalent_plastic_strain, point.hardening_variable, over_dt, point.temperature,
+        material.update.tolerance,
     )  # fmt: skip
+    if has_no_strength(material, point):
+        factor, increment, flow_stress, hardening, status = 0.0, 0.0, 0.0, point.hardening_variable, OK
+    return status, Correction(factor, increment, flow_stress, hardening)
 
 
 @inside_kernel
-def correct(material, table, corrections, k, over_dt, state, i):
-    """Return the prediction in row k of a table to the yield surface, or to zero where point i has melted or failed.
-
-    Writes row k of `corrections` and returns a status.
-    """
-    temperature = read(state.temperature, i, 0.0)
-    hardening = read(state.hardening_variable, i, 0.0)
-    factor, increment, flow_stress, status = 0.0, 0.0, 0.0, OK
-    has_failed = eroded_stress(material.erosion, read(state.damage, i, 0.0), SHEAR, 0.0)[0] != SHEAR
-    if temperature < melting_temperature(material.melting) and not has_failed:
-        factor, increment, flow_stress, hardening, status = return_to_surface(
-            material.yield_condition, material.flow, table[k, 8], table[k, 10], table[k, 9],
-            read(state.equivalent_plastic_strain, i, 0.0), hardening, over_dt, temperature,
-            material.update.tolerance,
-        )  # fmt: skip
-    corrections[k, 0], corrections[k, 1] = factor, increment
-    corrections[k, 2], corrections[k, 3] = flow_stress, hardening
-    return status
-
-
-@inside_kernel
-def load_correction(corrections, k):
-    """The correction in row k."""
-    return Correction(corrections[k, 0], corrections[k, 1], corrections[k, 2], corrections[k, 3])
+def search(material, prediction, over_dt, point):
+    """Status and correction of a prediction that `correct` has left."""
+    factor, increment, flow_stress, hardening, status = search_surface(
+        material.yield_condition, material.flow, prediction.stress, prediction.shear_3,
+        point.equivalent_plastic_strain, point.hardening_variable, over_dt, point.temperature,
+        material.update.tolerance,
+    )  # fmt: skip
+    return status, Correction(factor, increment, flow_stress, hardening)

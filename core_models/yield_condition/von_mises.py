@@ -4,8 +4,8 @@ import math
 from typing import NamedTuple
 
 from core_models.compilation import beside_kernel, inside_kernel
-from core_models.laws import evolve_hardening, flow_stress, return_to_surface
-from core_models.status import NOT_CONVERGED, OK
+from core_models.laws import evolve_hardening, flow_stress, return_to_surface, search_surface
+from core_models.status import NOT_CONVERGED, OK, UNSETTLED
 
 MAXIMUM_ITERATIONS = 100
 
@@ -41,33 +41,34 @@ def _(
 
     The first guess lets the stress stay what it was; in steady flow two Newton steps then do, and the second is taken
     without another look at the flow law because its second-order remainder is below the tolerance. What is not so
-    simple goes to `_search`.
+    simple is left to `search_surface`.
     """
-    increment = (trial - stress_before) / shear_3
-    if increment > 0.0:
-        residual, slope, stress, variable, variable_slope = _consistency(
-            flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, increment
-        )
-        increment -= residual / slope
-        if increment > 0.0:
-            residual, slope, stress, variable, variable_slope = _consistency(
-                flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, increment
-            )
-            step = -residual / slope
-            hardening = -(slope + shear_3) * step
-            if abs(hardening * step) <= tolerance * trial * increment and abs(step) < increment:
-                stress += hardening
-                return stress / trial, increment + step, stress, variable + variable_slope * step, OK
-    return _search(
-        flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, tolerance, increment
+    guess = max((trial - stress_before) / shear_3, 0.0)
+    residual, slope, _stress, _variable, _variable_slope = _consistency(
+        flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, guess
     )
+    increment = max(guess - residual / slope, 0.0)
+    residual, slope, stress, variable, variable_slope = _consistency(
+        flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, increment
+    )
+    step = -residual / slope
+    hardening = -(slope + shear_3) * step
+    is_done = abs(hardening * step) <= tolerance * trial * increment and abs(step) < increment
+    stress += hardening
+    status = OK if is_done else UNSETTLED
+    return stress / trial, increment + step, stress, variable + variable_slope * step, status
+
+
+@search_surface.register(VonMises)
+def _(
+    yield_condition, flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, tolerance,
+):  # fmt: skip
+    return _search(flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, tolerance)
 
 
 @beside_kernel
-def _search(
-    flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, tolerance, increment
-):
-    """The root by Newton steps from a guess, or the elastic case.
+def _search(flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, tolerance):
+    """The root by Newton steps, or the elastic case.
 
     The residual falls with dp, steeply near 0 where the rate dependence is logarithmic. From its positive side Newton
     steps in dp cannot overshoot, from its negative side steps in ln dp cannot; a bracket guards laws that are neither.
@@ -77,8 +78,7 @@ def _search(
     if trial <= yield_stress:
         return 1.0, 0.0, yield_stress, hardening_variable, OK
     low, high = 0.0, 2.0 * trial / shear_3  # the root is at trial / shear_3 at most
-    if not 0.0 < increment < high:
-        increment = (trial - yield_stress) / shear_3
+    increment = (trial - yield_stress) / shear_3
     limit = tolerance * trial
     for _iteration in range(MAXIMUM_ITERATIONS):
         residual, slope, stress, variable, variable_slope = _consistency(

@@ -1,0 +1,84 @@
+"""The workspace of a thread: every number of a point in a row of its own, over the points of a chunk.
+
+The arrays of a `State` hold the components of a tensor side by side; here those of neighbouring points are, and all
+distances are constants. The compiler then takes several points per instruction wherever a loop runs over k without
+calls or loops inside.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from core_models.compilation import CHUNK, inside_kernel
+
+# First row of each quantity. The loops read F and the state before, and leave the state after in the same rows.
+F0, F1 = 0, 9
+STRESS, ROTATION, LEFT_STRETCH, ELASTIC = 18, 24, 33, 39
+PLASTIC_STRAIN, HARDENING, TEMPERATURE, DAMAGE, ENERGY = 45, 46, 47, 48, 49
+PREDICTION, CORRECTION, BALANCE, LENGTH = 50, 63, 67, 72
+ROWS = 73
+STRIDE = CHUNK + 8  # a cache line more, lest all rows fall in the same few places of the cache
+
+
+class Workspace(NamedTuple):
+    """What a thread works in: the rows and the status of each point."""
+
+    rows: np.ndarray
+    statuses: np.ndarray
+
+
+def make_workspace() -> Workspace:
+    """A workspace for one thread."""
+    return Workspace(np.zeros(ROWS * STRIDE), np.zeros(CHUNK, dtype=np.int64))
+
+
+@inside_kernel
+def get(rows, row, k):
+    """Number of point k in a row."""
+    # Unsigned: an index that might count from the end would keep the compiler from taking points together.
+    return rows[np.uint64(row * STRIDE + k)]
+
+
+@inside_kernel
+def put(rows, row, k, value):
+    """Write the number of point k in a row."""
+    rows[np.uint64(row * STRIDE + k)] = value
+
+
+@inside_kernel
+def get_symmetric(rows, row, k):
+    """Symmetric tensor of point k in six rows."""
+    return (
+        get(rows, row, k), get(rows, row + 1, k), get(rows, row + 2, k),
+        get(rows, row + 3, k), get(rows, row + 4, k), get(rows, row + 5, k),
+    )  # fmt: skip
+
+
+@inside_kernel
+def put_symmetric(rows, row, k, s):
+    """Write the symmetric tensor of point k in six rows."""
+    put(rows, row, k, s[0])
+    put(rows, row + 1, k, s[1])
+    put(rows, row + 2, k, s[2])
+    put(rows, row + 3, k, s[3])
+    put(rows, row + 4, k, s[4])
+    put(rows, row + 5, k, s[5])
+
+
+@inside_kernel
+def get_tensor(rows, row, k):
+    """Tensor of point k in nine rows."""
+    return (
+        get(rows, row, k), get(rows, row + 1, k), get(rows, row + 2, k),
+        get(rows, row + 3, k), get(rows, row + 4, k), get(rows, row + 5, k),
+        get(rows, row + 6, k), get(rows, row + 7, k), get(rows, row + 8, k),
+    )  # fmt: skip
+
+
+@inside_kernel
+def put_tensor(rows, row, k, t):
+    """Write the tensor of point k in nine rows."""
+    put_symmetric(rows, row, k, t)
+    put(rows, row + 6, k, t[6])
+    put(rows, row + 7, k, t[7])
+    put(rows, row + 8, k, t[8])
