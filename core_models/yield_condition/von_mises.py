@@ -40,13 +40,15 @@ def _(
     """Radial return: q_trial - 3 G dp = sigma_y(ep + dp, dp/dt, T).
 
     The first guess lets the stress stay what it was; in steady flow two Newton steps then do, and the second is taken
-    without another look at the flow law because its second-order remainder is below the tolerance. What is not so
-    simple is left to `search_surface`.
+    without another look at the flow law because its second-order remainder is below the tolerance. A stress that has
+    not grown is compared with the flow stress at rate 0, the elastic case. What is not so simple is left to
+    `search_surface`.
     """
     guess = max((trial - stress_before) / shear_3, 0.0)
-    residual, slope, _stress, _variable, _variable_slope = _consistency(
+    residual, slope, yield_stress, _variable, _variable_slope = _consistency(
         flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, guess
     )
+    is_elastic = guess == 0.0 and residual <= 0.0
     increment = max(guess - residual / slope, 0.0)
     residual, slope, stress, variable, variable_slope = _consistency(
         flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, increment
@@ -54,9 +56,11 @@ def _(
     step = -residual / slope
     hardening = -(slope + shear_3) * step
     is_done = abs(hardening * step) <= tolerance * trial * increment and abs(step) < increment
-    stress += hardening
-    status = OK if is_done else UNSETTLED
-    return stress / trial, increment + step, stress, variable + variable_slope * step, status
+    stress = yield_stress if is_elastic else stress + hardening
+    increment = 0.0 if is_elastic else increment + step
+    variable = hardening_variable if is_elastic else variable + variable_slope * step
+    status = OK if is_elastic or is_done else UNSETTLED
+    return 1.0 if is_elastic else stress / trial, increment, stress, variable, status
 
 
 @search_surface.register(VonMises)
