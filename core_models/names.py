@@ -6,11 +6,6 @@ from collections.abc import Iterable
 ALIKE = 0.6  # least likeness (difflib's ratio) of a name that is suggested
 
 
-def nearest(wrong: str, valid: Iterable[str]) -> str:
-    """The valid name most like `wrong`."""
-    return difflib.get_close_matches(str(wrong), list(valid), n=1, cutoff=0.0)[0]
-
-
 def suggestion(wrong: str, valid: Iterable[str]) -> str:
     """The remedy for an unknown name: the valid one that is like it, if there is one, and all of them."""
     known = sorted(valid)

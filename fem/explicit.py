@@ -156,7 +156,7 @@ class ExplicitSolver:
 
     def kinetic_energy(self) -> float:
         """Kinetic energy at `time` [J]: that of the half step before, and half a step's power of the forces."""
-        half = 0.5 * float(self.nodal_mass @ (self.velocities**2).sum(axis=1))
+        half = 0.5 * float((self.nodal_mass * (self.velocities**2).sum(axis=1)).sum())
         return half + 0.5 * self._last_step * float((self.nodal_forces() * self.velocities).sum())
 
     @property
@@ -168,7 +168,7 @@ class ExplicitSolver:
     @property
     def momentum(self) -> float:
         """Axial momentum [kg m/s], half a step before `time`."""
-        return float(self.nodal_mass @ self.velocities[:, 1])
+        return float((self.nodal_mass * self.velocities[:, 1]).sum())
 
     @property
     def in_contact(self) -> bool:

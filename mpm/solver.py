@@ -10,7 +10,7 @@ from core_models.compilation import CHUNK
 from core_models.errors import RunFailure, SceneError
 from core_models.ledger import EnergyLedger
 from core_models.material import Material
-from core_models.names import nearest
+from core_models.names import suggestion
 from core_models.points import MaterialPoints, Work
 from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.threads import Threads
@@ -58,9 +58,7 @@ class Solver:
         cfl: float = 0.5,
     ) -> None:
         if transfer not in TRANSFERS:
-            raise SceneError(
-                f"no transfer is called {transfer!r}: did you mean {nearest(transfer, TRANSFERS)!r}?"
-            )
+            raise SceneError(f"no transfer is called {transfer!r}; {suggestion(transfer, TRANSFERS)}")
         if seeding not in (GAUSS, LATTICE):
             raise SceneError(f"no seeding is called {seeding!r}: use {GAUSS!r} or {LATTICE!r}")
         check_between("cell_size", cell_size, 0.0, math.inf, "m")
@@ -204,7 +202,7 @@ class Solver:
     @property
     def momentum(self) -> float:
         """Axial momentum [kg m/s]."""
-        return float(self.particle_mass @ self.velocities[:, 1])
+        return float((self.particle_mass * self.velocities[:, 1]).sum())
 
     @property
     def in_contact(self) -> bool:
