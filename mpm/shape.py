@@ -18,15 +18,28 @@ def outline(
     particles: Particles, positions: np.ndarray, deformation_gradient: np.ndarray
 ) -> dict[str, np.ndarray]:
     """Deformed boundary lines: ends of the boundary faces, averaged where two faces meet; r is not below 0."""
-    domains = particle_domains(particles, positions, deformation_gradient)
     lines = {}
     for name, faces in particles.faces.items():
-        starts = domains[faces[:, 0], faces[:, 1]]
-        ends = domains[faces[:, 0], (faces[:, 1] + 1) % 4]
+        starts, ends = (
+            _corners(particles, positions, deformation_gradient, faces[:, 0], (faces[:, 1] + k) % 4)
+            for k in (0, 1)
+        )
         line = np.concatenate([starts[:1], 0.5 * (starts[1:] + ends[:-1]), ends[-1:]])
         line[:, 0] = np.maximum(line[:, 0], 0.0)
         lines[name] = line
     return _joined(lines)
+
+
+def _corners(
+    particles: Particles,
+    positions: np.ndarray,
+    deformation_gradient: np.ndarray,
+    which: np.ndarray,
+    corner: np.ndarray,
+) -> np.ndarray:
+    """One deformed corner each of some particles' domains: (k, 2) [m]."""
+    offsets = particles.corners[which, corner]
+    return positions[which] + np.einsum("nij,nj->ni", deformation_gradient[which, :2, :2], offsets)
 
 
 def _joined(lines: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
