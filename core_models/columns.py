@@ -30,7 +30,7 @@ from core_models.tensors import load_symmetric, load_tensor
 
 @generic
 def bring(field, i, rows, row, k):
-    """Copy the number of point i to column k of a row; a field that does not exist keeps what the row starts with."""
+    """Copy the number of point i to column k of a row; 0 for a field that does not exist, whatever stood there."""
 
 
 @bring.register(np.ndarray)
@@ -40,7 +40,7 @@ def _(field, i, rows, row, k):
 
 @bring.register(type(None))
 def _(field, i, rows, row, k):
-    return
+    put(rows, row, k, 0.0)
 
 
 @generic

@@ -4,6 +4,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from hypothesis import settings
 
 from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.eos.mie_gruneisen import MieGruneisen
@@ -21,6 +22,9 @@ from fem import ExplicitSolver
 from meshes.quad_mesh import QuadMesh
 from meshes.taylor_bar import taylor_bar
 from mpm import Solver
+
+settings.register_profile("same every time", derandomize=True)
+settings.load_profile("same every time")
 
 DENSITY, BULK, SHEAR = 8930.0, 130e9, 43.333e9
 CELL = 0.4e-3  # m, size of the square elements and of the cells of every test bar

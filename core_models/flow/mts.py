@@ -132,20 +132,23 @@ def _(flow, hardening_variable, plastic_strain, plastic_rate, temperature):
 
 @evolve_hardening.register(MechanicalThreshold)
 def _(flow, hardening_variable, strain_increment, plastic_rate, temperature):
-    """Midpoint rule, and along with it the sensitivity to the rate."""
+    """Midpoint rule, and along with it its sensitivities to increment and rate."""
     rate = max(plastic_rate, LOWEST_RATE)
     theta = _initial_hardening(flow, rate, temperature)
     saturation = _saturation(flow, rate, temperature, _varshni_modulus(flow, temperature))
     substeps = 1 + int(strain_increment / LARGEST_SUBSTEP)
-    h = strain_increment / substeps
-    threshold, by_rate = hardening_variable, 0.0
+    share = 1.0 / substeps
+    h = strain_increment * share
+    threshold, by_increment, by_rate = hardening_variable, 0.0, 0.0
     for _substep in range(substeps):
         slope, slope_threshold, slope_rate = _hardening_rate(flow, threshold, theta, saturation)
         middle = threshold + 0.5 * h * slope
+        middle_by_increment = by_increment + 0.5 * (share * slope + h * slope_threshold * by_increment)
         middle_by_rate = by_rate + 0.5 * h * (slope_threshold * by_rate + slope_rate)
         slope, slope_threshold, slope_rate = _hardening_rate(flow, middle, theta, saturation)
         threshold += h * slope
+        by_increment += share * slope + h * slope_threshold * middle_by_increment
         by_rate += h * (slope_threshold * middle_by_rate + slope_rate)
     if plastic_rate <= LOWEST_RATE:
         by_rate = 0.0
-    return threshold, _hardening_rate(flow, threshold, theta, saturation)[0], by_rate
+    return threshold, by_increment, by_rate
