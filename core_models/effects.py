@@ -16,13 +16,16 @@ class Effect(NamedTuple):
 def material_effects(m) -> list[Effect]:
     """Effects of a `Material`, on or off and why."""
     energy = m.eos if m.uses("uses_energy") else None
+    volumetric = m.update if m.eos is None else m.eos
     softening = m.flow if getattr(m.flow, "uses_temperature", False) else None
     return [
         _effect("plasticity", m.flow, "the card has no flow law"),
         _effect("kinematic hardening", m.kinematic_hardening, NOT_OFFERED),
         _effect("temperature-dependent shear modulus", m.shear_modulus, NOT_OFFERED),
         _effect(
-            "equation of state with energy", energy, f"{type(m.eos).__name__} does not depend on the energy"
+            "equation of state with energy",
+            energy,
+            f"{type(volumetric).__name__} does not depend on the energy",
         ),
         Effect("plastic heating", m.heating is not None, _heating_reason(m)),
         _effect("thermal softening", softening, "the flow law does not depend on the temperature"),

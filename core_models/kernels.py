@@ -2,32 +2,12 @@
 
 import math
 
-from core_models.columns import gather, get_point, put_point, scatter
+from core_models.columns import gather, get_point, scatter
 from core_models.compilation import CHUNK, inside_kernel, material_kernel
-from core_models.laws import predict, predict_carefully
-from core_models.rows import (
-    F0,
-    F1,
-    LEFT_STRETCH,
-    LENGTH,
-    ROTATION,
-    get,
-    get_tensor,
-    put_symmetric,
-    put_tensor,
-)
-from core_models.state import load_point, write
-from core_models.status import NOT_FINITE, OK, UNSETTLED
-from core_models.tensors import load_tensor
-from core_models.updates.balance import complete_point, get_balance, put_balance
-from core_models.updates.prediction import (
-    correct,
-    get_correction,
-    get_prediction,
-    put_correction,
-    put_prediction,
-    search,
-)
+from core_models.laws import advance_rows
+from core_models.state import write
+from core_models.status import NOT_FINITE, OK
+from core_models.updates.balance import get_balance
 
 WORK, PLASTIC, VISCOUS, SPEED, PRESSURE = 0, 1, 2, 3, 4
 
@@ -64,15 +44,12 @@ def advance_points(
     """
     n = f1.shape[0]
     rows, statuses = workspace
-    over_dt = 1.0 / dt
     for chunk in range(first, last):
         start = chunk * CHUNK
         count = min(CHUNK, n - start)
         for k in range(count):
             gather(rows, k, f0, f1, lengths, old, start + k)
-        predict_chunk(rows, statuses, count, start, model, f0, f1, old)
-        correct_chunk(rows, statuses, count, model, over_dt)
-        complete_chunk(rows, count, model, viscosity, dt)
+        advance_rows(model.update, rows, statuses, count, start, model, viscosity, f0, f1, dt, old)
         for column in range(sums.shape[1]):
             sums[chunk, column] = 0.0
         failures[chunk, 0] = OK
@@ -89,56 +66,6 @@ def advance_points(
             if statuses[k] != OK and failures[chunk, 0] == OK:
                 failures[chunk, 0] = statuses[k]
                 failures[chunk, 1] = i
-
-
-@inside_kernel
-def predict_chunk(rows, statuses, count, start, model, f0, f1, old):
-    """Elastic trials of the points in the rows."""
-    for k in range(count):
-        statuses[k], prediction, rotation, left_stretch = predict(
-            model.update, model, get_tensor(rows, F0, k), get_tensor(rows, F1, k), get_point(rows, k)
-        )
-        put_trial(rows, k, prediction, rotation, left_stretch)
-    for k in range(count):
-        if statuses[k] == UNSETTLED:
-            i = start + k
-            statuses[k], prediction, rotation, left_stretch = predict_carefully(
-                model.update, model, load_tensor(f0, i), load_tensor(f1, i), load_point(old, i)
-            )
-            put_trial(rows, k, prediction, rotation, left_stretch)
-
-
-@inside_kernel
-def put_trial(rows, k, prediction, rotation, left_stretch):
-    """Write the results of a first part at point k."""
-    put_prediction(rows, k, prediction)
-    put_tensor(rows, ROTATION, k, rotation)
-    put_symmetric(rows, LEFT_STRETCH, k, left_stretch)
-
-
-@inside_kernel
-def correct_chunk(rows, statuses, count, model, over_dt):
-    """Returns to the yield surface of the points in the rows."""
-    for k in range(count):
-        status, correction = correct(model, get_prediction(rows, k), over_dt, get_point(rows, k))
-        put_correction(rows, k, correction)
-        statuses[k] = status if statuses[k] == OK else statuses[k]
-    for k in range(count):
-        if statuses[k] == UNSETTLED:
-            statuses[k], correction = search(model, get_prediction(rows, k), over_dt, get_point(rows, k))
-            put_correction(rows, k, correction)
-
-
-@inside_kernel
-def complete_chunk(rows, count, model, viscosity, dt):
-    """State after the step of the points in the rows."""
-    for k in range(count):
-        point, balance = complete_point(
-            model, viscosity, get_prediction(rows, k), get_correction(rows, k), dt, get(rows, LENGTH, k),
-            get_point(rows, k),
-        )  # fmt: skip
-        put_point(rows, k, point)
-        put_balance(rows, k, balance)
 
 
 @inside_kernel

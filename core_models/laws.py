@@ -157,6 +157,18 @@ def _(erosion, damage, deviator, mean_stress):
 
 
 @generic
+def advance_rows(update, rows, statuses, count, start, model, viscosity, f0, f1, dt, old):
+    """A step of the points that have been brought to the rows of a workspace (core_models.rows).
+
+    Parameters
+    ----------
+    update : the stress update. rows, statuses : of a `Workspace`; state and balance after the step are left in the
+    rows, the status of each point in `statuses`. count : points in the rows; start : number of the first one.
+    model, viscosity : laws. f0, f1, old : arrays of all points, for what needs another look. dt : [s].
+    """
+
+
+@generic
 def predict(update, material, f0, f1, point):
     """First part of a step at one point: kinematics and the elastic trial, in a straight line as far as that does.
 

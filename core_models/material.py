@@ -9,6 +9,7 @@ from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.errors import MaterialError
 from core_models.flow.johnson_cook import JohnsonCook
 from core_models.laws import (
+    advance_rows,
     damage_increment,
     elastic_moduli,
     eroded_stress,
@@ -20,10 +21,12 @@ from core_models.laws import (
     return_to_surface,
 )
 from core_models.model import Model
+from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 
 SLOTS = {
+    "update": advance_rows,
     "elasticity": elastic_moduli,
     "eos": pressure,
     "flow": flow_stress,
@@ -35,6 +38,7 @@ SLOTS = {
     "erosion": eroded_stress,
 }
 EMPTY_SLOTS = ("shear_modulus", "kinematic_hardening", "stability")
+PLASTIC_SLOTS = ("eos", "flow", "yield_condition", "damage", "melting", "heating", "erosion")
 LARGEST_MODULUS_GAP = 0.2  # between the card's bulk modulus and rho_0 C_0^2
 
 
@@ -45,9 +49,10 @@ class Material:
     Parameters
     ----------
     name : for messages and reports. density : reference density rho_0 [kg/m^3].
-    update : HypoelasticPlastic or HyperelasticPlastic. The other slots : laws of core_models.<slot>.
+    update : HypoelasticPlastic, HyperelasticPlastic, or CompressibleNeoHookean, which takes nothing but an elasticity.
+    The other slots : laws of core_models.<slot>; all but eos and elasticity may be left out.
     room_temperature : initial temperature unless a body gives its own [K].
-    thermal_conductivity : [W/(m K)], kept for the card's sake: conduction is not simulated.
+    thermal_conductivity : k [W/(m K)], > 0, or None.
 
     Raises
     ------
@@ -56,9 +61,9 @@ class Material:
 
     name: str
     density: float
-    update: HypoelasticPlastic | HyperelasticPlastic
+    update: HypoelasticPlastic | HyperelasticPlastic | CompressibleNeoHookean
     elasticity: Any
-    eos: Any
+    eos: Any = None
     flow: Any = None
     yield_condition: Any = None
     shear_modulus: Any = None
@@ -115,11 +120,15 @@ def check_slots(material: Material) -> None:
             raise MaterialError(
                 f"{material.name}: {type(value).__name__} is no law for the slot {field.name}: use one of {known}"
             )
-    if not isinstance(material.update, HypoelasticPlastic | HyperelasticPlastic):
-        raise MaterialError(f"{material.name}: update must be HypoelasticPlastic or HyperelasticPlastic")
-    for required in ("elasticity", "eos"):
-        if getattr(material, required) is None:
-            raise MaterialError(f"{material.name}: a material needs a law in the slot {required}")
+    required = ("update", "elasticity") if is_whole(material) else ("update", "elasticity", "eos")
+    for slot in required:
+        if getattr(material, slot) is None:
+            raise MaterialError(f"{material.name}: a material needs a law in the slot {slot}")
+
+
+def is_whole(material: Material) -> bool:
+    """Whether the stress follows from the deformation alone, so that no other law has a say in it."""
+    return isinstance(material.update, CompressibleNeoHookean)
 
 
 def check_combination(material: Material) -> None:
@@ -137,6 +146,15 @@ def _complaints(m: Material):
         not (bulk > 0.0 and shear > 0.0),
         f"bulk and shear modulus must be positive, not {bulk!r} and {shear!r} Pa",
     )
+    yield (
+        m.thermal_conductivity is not None and not m.thermal_conductivity > 0.0,
+        f"thermal_conductivity must be positive, not {m.thermal_conductivity!r} W/(m K): leave it out if unknown",
+    )
+    for slot in PLASTIC_SLOTS:
+        yield (
+            is_whole(m) and getattr(m, slot) is not None,
+            f"{type(m.update).__name__} is elastic, and its stress needs no other law: leave {slot} out",
+        )
     yield (
         isinstance(m.update, HyperelasticPlastic) and isinstance(m.eos, DefaultHypoelastic),
         "the hyperelastic update needs a stored energy, which default_hypo has not: take neo_hookean or mie_gruneisen",

@@ -66,7 +66,8 @@ class MaterialPoints:
     Parameters
     ----------
     material : laws. reference_volumes : (n,) [m^3]. temperature : initial [K], None for the card's room temperature.
-    viscosity : bulk viscosity or None. threads : worker threads.
+    viscosity : bulk viscosity or None. threads : worker threads. conduction : whether heat is conducted, so that the
+    points have a temperature even if no law feels it.
 
     `advance` reads the state `old` and writes `new`; `accept` makes the new state the old one. A step that is
     rejected is simply advanced again.
@@ -79,6 +80,7 @@ class MaterialPoints:
         temperature: float | None = None,
         viscosity: BulkViscosity | None = None,
         threads: Threads | None = None,
+        conduction: bool = False,
     ) -> None:
         self.material = material
         self.model = material.model
@@ -87,8 +89,8 @@ class MaterialPoints:
         self.n = len(self.reference_volumes)
         self.threads = threads or Threads(1)
         start = material.room_temperature if temperature is None else temperature
-        self.old = initial_state(material, self.n, start)
-        self.new = initial_state(material, self.n, start)
+        self.old = initial_state(material, self.n, start, conduction)
+        self.new = initial_state(material, self.n, start, conduction)
         self.old_deformation_gradient = np.tile(np.eye(3), (self.n, 1, 1))
         self.deformation_gradient = self.old_deformation_gradient.copy()
         self.viscous_pressure = None if viscosity is None else np.zeros(self.n)
@@ -156,8 +158,8 @@ class MaterialPoints:
         )
 
 
-def initial_state(material: Material, n: int, temperature: float) -> State:
-    """State of n stress-free points at a temperature [K], with arrays only for what the material needs."""
+def initial_state(material: Material, n: int, temperature: float, conduction: bool = False) -> State:
+    """State of n stress-free points at a temperature [K], with arrays only for what material or conduction need."""
 
     def scalar(needed: bool, value: float = 0.0) -> np.ndarray | None:
         return np.full(n, value) if needed else None
@@ -173,7 +175,7 @@ def initial_state(material: Material, n: int, temperature: float) -> State:
         elastic_left_cauchy_green=unit.copy() if hyper else None,
         equivalent_plastic_strain=scalar(material.flow is not None),
         hardening_variable=scalar(variable is not None, variable or 0.0),
-        temperature=scalar(material.needs_temperature, temperature),
+        temperature=scalar(material.needs_temperature or conduction, temperature),
         damage=scalar(material.damage is not None),
         internal_energy=scalar(material.uses("uses_energy")),
     )
@@ -181,6 +183,6 @@ def initial_state(material: Material, n: int, temperature: float) -> State:
 
 def initial_wave_speed(material: Material) -> float:
     """Longitudinal wave speed of the unstressed material [m/s]."""
-    shear = elastic_moduli(material.elasticity)[1]
-    bulk = pressure(material.eos, 1.0, 0.0)[1]
+    elastic_bulk, shear = elastic_moduli(material.elasticity)
+    bulk = elastic_bulk if material.eos is None else pressure(material.eos, 1.0, 0.0)[1]
     return float(np.sqrt((bulk + 4.0 / 3.0 * shear) / material.density))

@@ -15,6 +15,7 @@ from core_models.heating.taylor_quinney import TaylorQuinney
 from core_models.melting.constant import ConstantMelting
 from core_models.schema import HEATED_FRACTION, SLOTS, UPDATE
 from core_models.specific_heat.constant import ConstantSpecificHeat
+from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.yield_condition.von_mises import VonMises
 
@@ -71,7 +72,9 @@ def _constants(card: Numbers) -> dict[str, Any]:
     return fields
 
 
-def _default_eos(blocks: Blocks, update: tuple, card: Numbers) -> tuple:
+def _default_eos(blocks: Blocks, update: tuple, card: Numbers) -> tuple | None:
+    if isinstance(update, CompressibleNeoHookean):
+        return None
     law = DefaultHypoelastic if isinstance(update, HypoelasticPlastic) else NeoHookean
     log.info("%s: no <equation_of_state>: %s is used", origin(blocks.model), law.__name__)
     return law(card["bulk_modulus"])

@@ -23,8 +23,8 @@ from core_models.schema import (
     EXPANSION,
     HEATED_FRACTION,
     SLOTS,
-    TOLERANCE,
     UPDATE,
+    ModelSchema,
 )
 
 MODEL_TAG = UPDATE.tags[0]
@@ -81,13 +81,13 @@ def parse_material(element: etree._Element, name: str | None = None) -> Material
 
 
 def _blocks(element: etree._Element) -> Blocks:
-    outer = named_children(element, _names("material"), repeatable=(BODY_TAG,))
+    outer = named_children(element, _outer_names(), repeatable=(BODY_TAG,))
     if MODEL_TAG not in outer:
         raise refusal(
             element, f"<material> lacks <{MODEL_TAG}>", f"add one of type {', '.join(UPDATE.types)}"
         )
     model = outer.pop(MODEL_TAG)
-    inner = named_children(model, _names(MODEL_TAG))
+    inner = named_children(model, _inner_names(chosen_model(model, UPDATE)))
     for tag in outer.keys() & inner.keys():
         raise refusal(
             outer[tag],
@@ -97,13 +97,18 @@ def _blocks(element: etree._Element) -> Blocks:
     return Blocks(element, model, outer, inner)
 
 
-def _names(place: str) -> dict[str, str]:
-    """Every tag that may stand in `place`, mapped to its canonical name."""
-    if place == "material":
-        plain = names_of(CONSTANTS) | {tag: tag for tag in (*DEAD_TAGS, BODY_TAG)}
-    else:
-        plain = names_of((*ELASTICITY, TOLERANCE, HEATED_FRACTION, EXPANSION))
-    return plain | {tag: slot.tags[0] for slot in SLOTS if place in slot.places for tag in slot.tags}
+def _outer_names() -> dict[str, str]:
+    """Every tag that may stand in `<material>`, mapped to its canonical name."""
+    return names_of(CONSTANTS) | {tag: tag for tag in (*DEAD_TAGS, BODY_TAG)} | _slot_names("material")
+
+
+def _inner_names(update: ModelSchema) -> dict[str, str]:
+    """Every tag that may stand in the block of an update, mapped to its canonical name."""
+    return names_of((*ELASTICITY, *update.parameters, HEATED_FRACTION, EXPANSION)) | _slot_names(MODEL_TAG)
+
+
+def _slot_names(place: str) -> dict[str, str]:
+    return {tag: slot.tags[0] for slot in SLOTS if place in slot.places for tag in slot.tags}
 
 
 def _material(blocks: Blocks, name: str) -> Material:

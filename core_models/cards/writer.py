@@ -82,7 +82,7 @@ def _add_law(
 ) -> None:
     """A block that states the law, or that there is none; nothing where its absence says so."""
     if law is None:
-        if slot.absent != "none":
+        if slot.plain and slot.absent != "none":
             etree.SubElement(block, slot.tags[0], {slot.attribute: slot.plain[0]})
         return
     model = slot.model_of(law)

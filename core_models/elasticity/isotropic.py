@@ -1,7 +1,8 @@
 """Isotropic linear elasticity."""
 
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
+from core_models.errors import MaterialError
 from core_models.laws import elastic_moduli
 
 
@@ -13,11 +14,27 @@ class IsotropicElastic(NamedTuple):
     bulk_modulus : K [Pa], > 0. shear_modulus : G [Pa], > 0.
 
     In the hypoelastic update e is the unrotated elastic strain (rate form), in the hyperelastic one the deviator of
-    the isochoric elastic left Cauchy-Green tensor (Simo & Hughes, Computational Inelasticity, 1998, ch. 9).
+    the isochoric elastic left Cauchy-Green tensor (Simo & Hughes, Computational Inelasticity, 1998, ch. 9). The
+    compressible neo-Hookean law takes the two moduli alone.
     """
 
     bulk_modulus: float
     shear_modulus: float
+
+    @classmethod
+    def from_young(cls, youngs_modulus: float, poissons_ratio: float) -> Self:
+        """K = E / (3 (1 - 2 nu)), G = E / (2 (1 + nu)) from Young's modulus E [Pa], > 0, and -1 < nu < 1/2 [-].
+
+        Raises MaterialError outside this range.
+        """
+        if not (youngs_modulus > 0.0 and -1.0 < poissons_ratio < 0.5):
+            raise MaterialError(
+                f"Young's modulus {youngs_modulus!r} Pa and Poisson's ratio {poissons_ratio!r} make no elastic solid: "
+                "give E > 0 and -1 < nu < 0.5"
+            )
+        return cls(
+            youngs_modulus / (3.0 - 6.0 * poissons_ratio), youngs_modulus / (2.0 + 2.0 * poissons_ratio)
+        )
 
 
 @elastic_moduli.register(IsotropicElastic)

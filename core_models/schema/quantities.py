@@ -1,10 +1,10 @@
 """The card schema of plain tags: constants, elastic moduli, bodies, dead tags."""
 
-from core_models.schema.entries import ANY, NOT_NEGATIVE, POSITIVE, ZERO, Inert, Interval, Parameter
+from core_models.schema.entries import ANY, POSITIVE, ZERO, Inert, Interval, Parameter
 
 CONSTANTS = (
     Parameter("density", "kg/m^3", POSITIVE, "mass density of the undeformed body"),
-    Parameter("thermal_conductivity", "W/(m K)", NOT_NEGATIVE, "heat conductivity", optional=True),
+    Parameter("thermal_conductivity", "W/(m K)", POSITIVE, "heat conductivity", optional=True),
     Parameter(
         "specific_heat", "J/(kg K)", POSITIVE, "constant specific heat", "specific_heat.value", optional=True
     ),

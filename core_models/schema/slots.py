@@ -21,6 +21,7 @@ from core_models.schema.entries import (
 )
 from core_models.schema.flow import FLOW
 from core_models.schema.quantities import HEATED_FRACTION, TOLERANCE
+from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.yield_condition.von_mises import VonMises
@@ -42,6 +43,11 @@ UPDATE = SlotSchema(
             law=HyperelasticPlastic,
             help="multiplicative split, Simo-Hughes return mapping",
             parameters=(TOLERANCE,),
+        ),
+        ModelSchema(
+            types=("compressible_neo_hookean", "cnh_mms"),
+            law=CompressibleNeoHookean,
+            help="elastic: [G (b - 1) + (K - 2 G / 3) ln J 1] / J, without equation of state",
         ),
     ),
     unavailable=("comp_neo_hook", "comp_neo_hook_plastic", "UCNH", "hypo_elastic", "visco_plastic", "rigid"),

@@ -1,1 +1,1 @@
-"""Stress updates: hypoelastic-plastic and hyperelastic-plastic."""
+"""Stress updates: hypoelastic-plastic, hyperelastic-plastic, and compressible neo-Hookean elasticity."""

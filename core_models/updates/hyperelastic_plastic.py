@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from core_models.compilation import inside_kernel
 from core_models.laws import (
+    advance_rows,
     complete,
     elastic_moduli,
     is_beyond_eos,
@@ -29,6 +30,7 @@ from core_models.tensors import (
     symmetric_determinant,
     trace,
 )
+from core_models.updates.elastoplastic import advance_elastoplastic
 from core_models.updates.prediction import NO_PREDICTION, Prediction
 
 NEWTON_STEPS = 6  # to round-off for a deviator up to 1/2, a yield stress of half the shear modulus
@@ -53,6 +55,9 @@ class HyperelasticPlastic(NamedTuple):
     """
 
     tolerance: float = 1e-10
+
+
+advance_rows.register(HyperelasticPlastic)(advance_elastoplastic)
 
 
 @inside_kernel

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from core_models.compilation import inside_kernel
 from core_models.laws import (
+    advance_rows,
     complete,
     elastic_moduli,
     is_beyond_eos,
@@ -26,6 +27,7 @@ from core_models.tensors import (
     symmetric_inverse,
     symmetric_part_of_product,
 )
+from core_models.updates.elastoplastic import advance_elastoplastic
 from core_models.updates.prediction import NO_PREDICTION, Prediction
 
 
@@ -46,6 +48,9 @@ class HypoelasticPlastic(NamedTuple):
     """
 
     tolerance: float = 1e-10
+
+
+advance_rows.register(HypoelasticPlastic)(advance_elastoplastic)
 
 
 @predict.register(HypoelasticPlastic)

@@ -1,8 +1,4 @@
-"""What the parts of a step hand to each other: elastic trial, return to the yield surface, completion.
-
-The parts run one after the other over the rows of a chunk of points (core_models.rows), each first in a straight line
-for all points and then carefully for those which that leaves.
-"""
+"""What the parts of an elastic-plastic step hand to each other: elastic trial and return to the yield surface."""
 
 from typing import NamedTuple
 

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from lxml import etree
 
 from core_models.cards import (
     material_element,
@@ -17,13 +18,14 @@ from core_models.cards import (
 from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
-from core_models.errors import MaterialError, OutputError
+from core_models.errors import CardError, MaterialError, OutputError
 from core_models.flow.johnson_cook import JohnsonCook
 from core_models.flow.linear import LinearHardening
 from core_models.material import Material
 from core_models.melting.constant import ConstantMelting
 from core_models.schema import SLOTS
 from core_models.specific_heat.constant import ConstantSpecificHeat
+from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.yield_condition.von_mises import VonMises
 
@@ -97,7 +99,7 @@ def materials(draw):
         "specific_heat": specific_heat,
         "heating": None if flow is None or specific_heat is None else draw(st.none() | laws("heating")),
         "room_temperature": draw(st.floats(1.0, 800.0)),
-        "thermal_conductivity": draw(st.none() | st.floats(0.0, 1e3)),
+        "thermal_conductivity": draw(st.none() | st.floats(1e-3, 1e3)),
     }
 
 
@@ -135,6 +137,16 @@ def test_elastic_material_survives():
     """A material without flow is written as such."""
     material = steel(flow=None, yield_condition=None)
     assert parse_material(material_element(material)).material == material
+
+
+def test_neo_hookean_material_survives():
+    """A material whose stress needs no other law is written without them, and its card takes no tolerance."""
+    material = Material("rubber", 1000.0, CompressibleNeoHookean(), IsotropicElastic.from_young(1e7, 0.0))
+    element = material_element(material)
+    assert parse_material(element).material == material
+    etree.SubElement(element.find("constitutive_model"), "tolerance").text = "1e-10"
+    with pytest.raises(CardError, match="tolerance"):
+        parse_material(element)
 
 
 @pytest.mark.parametrize(

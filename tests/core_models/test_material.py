@@ -17,6 +17,7 @@ from core_models.heating.taylor_quinney import TaylorQuinney
 from core_models.laws import flow_stress
 from core_models.melting.constant import ConstantMelting
 from core_models.specific_heat.constant import ConstantSpecificHeat
+from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.yield_condition.von_mises import VonMises
 
 DAMAGE = JohnsonCookDamage(0.54, 4.89, -3.03, 0.014, 1.12, 294.0, 1356.0)
@@ -62,7 +63,14 @@ SENSELESS = {
     "slot without laws yet": ({"stability": VonMises()}, "takes no law yet"),
     "no equation of state": ({"eos": None}, "needs a law in the slot eos"),
     "no elasticity": ({"elasticity": None}, "needs a law in the slot elasticity"),
-    "update that is none": ({"update": VonMises()}, "update must be"),
+    "update that is none": ({"update": VonMises()}, "is no law for the slot update: use one of"),
+    "no update": ({"update": None}, "needs a law in the slot update"),
+    "no conductivity": ({"thermal_conductivity": 0.0}, "thermal_conductivity must be positive, not 0.0"),
+    "plastic neo-Hookean solid": ({"update": CompressibleNeoHookean(), "eos": None}, "leave flow out"),
+    "neo-Hookean solid with an equation of state": (
+        {"update": CompressibleNeoHookean(), "flow": None, "yield_condition": None},
+        "leave eos out",
+    ),
 }
 
 
