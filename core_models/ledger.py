@@ -9,10 +9,13 @@ class EnergyLedger:
 
     kinetic : of the motion now. strain : work of the stress that has not been dissipated (elastic and, with an
     equation of state, thermal). plastic : sigma_y dep. viscosity : work of the bulk viscosity. transfer : what moving
-    velocities between particles and grid has lost (0 in the finite element method). contact : what the wall's
-    impulses have taken out, - impulse times mean velocity. initial : kinetic energy at the start.
+    velocities between particles and grid has lost (0 in the finite element method). contact : what the wall's normal
+    impulses have taken out, - impulse times mean velocity; friction : what its tangential ones have. hourglass : held
+    by the hourglass control of one-point elements. damping : taken out by mass-proportional damping. external : work
+    done on the body by loads and prescribed motion. initial : kinetic and strain energy at the start.
 
-    The terms on the right close the balance: initial = kinetic + strain + plastic + viscosity + transfer + contact.
+    The balance: initial + external = kinetic + strain + plastic + viscosity + transfer + contact + friction +
+    hourglass + damping.
     """
 
     initial: float
@@ -22,13 +25,21 @@ class EnergyLedger:
     viscosity: float = 0.0
     transfer: float = 0.0
     contact: float = 0.0
+    friction: float = 0.0
+    hourglass: float = 0.0
+    damping: float = 0.0
+    external: float = 0.0
 
     @property
     def total(self) -> float:
-        """Sum of all terms but `initial` [J]."""
-        return self.kinetic + self.strain + self.plastic + self.viscosity + self.transfer + self.contact
+        """Sum of all terms but `initial`, the external work counted as taken from outside [J]."""
+        return (
+            self.kinetic + self.strain + self.plastic + self.viscosity + self.transfer + self.contact + self.friction
+            + self.hourglass + self.damping - self.external
+        )  # fmt: skip
 
     @property
     def relative_error(self) -> float:
-        """(total - initial) / initial."""
-        return (self.total - self.initial) / self.initial if self.initial > 0.0 else self.total
+        """(total - initial) / scale, the scale being the energy that there was or came in, whichever is larger."""
+        scale = max(abs(self.initial), abs(self.external), self.kinetic + abs(self.strain))
+        return (self.total - self.initial) / scale if scale > 0.0 else self.total

@@ -1,4 +1,7 @@
-"""Rigid frictionless walls at z = 0: two names, the same meaning in both methods."""
+"""Rigid walls at the plane where the last coordinate is 0: the same meaning in every method."""
+
+import math
+from dataclasses import dataclass
 
 from core_models.errors import SceneError
 from core_models.names import suggestion
@@ -12,8 +15,32 @@ MEANING = {
 }
 
 
+@dataclass(frozen=True)
+class Wall:
+    """A rigid wall in the plane where the last coordinate is 0, the body above it.
+
+    kind : 'unilateral' or 'plane'. friction : Coulomb coefficient [-], >= 0; |tangential impulse| <= friction times
+    normal impulse, what does not reach that sticks.
+
+    Raises SceneError for an unknown kind or a friction that is no number >= 0.
+    """
+
+    kind: str = UNILATERAL
+    friction: float = 0.0
+
+    def __post_init__(self) -> None:
+        check_wall(self.kind)
+        if not (isinstance(self.friction, int | float) and 0.0 <= self.friction < math.inf):
+            raise SceneError(f"friction = {self.friction!r} is out of range: give a finite number from 0")
+
+
 def check_wall(name: str) -> str:
     """The wall's name if there is such a wall; SceneError with the nearest one otherwise."""
     if name in MEANING:
         return name
     raise SceneError(f"no wall is called {name!r}; {suggestion(name, MEANING)}")
+
+
+def as_wall(wall: Wall | str | None) -> Wall | None:
+    """A wall from itself, from the name of its kind (frictionless), or none."""
+    return Wall(wall) if isinstance(wall, str) else wall
