@@ -90,7 +90,7 @@ class FixedTemperature:
 
 @dataclass(frozen=True)
 class HeatFlux:
-    """Heat flux [W/m^2] into the body through a boundary, per reference area: a number or q(t). Only with conduction."""
+    """Heat flux [W/m^2] into the body through a boundary, per reference area: a number or q(t); needs conduction."""
 
     boundary: str
     flux: float | Callable[[float], float]
