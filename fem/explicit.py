@@ -18,7 +18,8 @@ from fem.mean_dilatation import ELEMENT_CHUNK, deform, resist
 from fem.motion import CONTACT_WORK, IMPULSE, NODE_CHUNK, move
 from fem.shape import outline
 from fem.space import elements_round_nodes, lumped_mass, quad_tables
-from meshes.quad_mesh import QuadMesh
+from meshes.axisymmetric import axisymmetric
+from meshes.mesh import Mesh
 from meshes.quarters import quarter_polygons
 
 
@@ -27,7 +28,7 @@ class ExplicitSolver:
 
     Parameters
     ----------
-    mesh : `meshes.QuadMesh`. material : `Material`.
+    mesh : `meshes.mesh.Mesh`. material : `Material`.
     velocity : initial axial velocity [m/s], negative towards the wall. temperature : initial [K].
     wall : 'unilateral' or 'plane'. viscosity : BulkViscosity or None. threads : number of threads.
     safety : part of the estimated stable step that is taken, in (0, 1].
@@ -39,7 +40,7 @@ class ExplicitSolver:
 
     def __init__(
         self,
-        mesh: QuadMesh,
+        mesh: Mesh,
         material: Material,
         *,
         velocity: float,
@@ -51,13 +52,14 @@ class ExplicitSolver:
     ) -> None:
         check_between("safety", safety, 0.0, 1.0)
         check_motion(velocity, temperature)
+        mesh = axisymmetric(mesh)
         self.mesh, self.material, self.wall, self.safety = mesh, material, check_wall(wall), safety
         self.threads = Threads(threads)
         self.tables = quad_tables(mesh)
         count = len(mesh.points)
         self.nodal_mass, self._corner_mass = lumped_mass(self.tables, material.density, count)
         self._round = elements_round_nodes(self.tables.nodes, count)
-        self._on_axis = np.isin(np.arange(count), mesh.boundaries["axis"])
+        self._on_axis = mesh.points[:, 0] == 0.0
         self.positions = mesh.points.copy()
         self.velocities = np.zeros((count, 2))
         self.velocities[:, 1] = velocity

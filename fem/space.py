@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from meshes.quad_mesh import QuadMesh
+from meshes.mesh import Mesh
 
 POINTS = 4  # quadrature points of an element, 2 x 2 Gauss
 
@@ -24,8 +24,8 @@ class QuadTables(NamedTuple):
     weights: np.ndarray
 
 
-def quad_tables(mesh: QuadMesh) -> QuadTables:
-    """Tables of bilinear quads with 2 x 2 points from a `meshes.QuadMesh`."""
+def quad_tables(mesh: Mesh) -> QuadTables:
+    """Tables of bilinear quads with 2 x 2 points from a `meshes.mesh.Mesh`."""
     from skfem import Basis, ElementQuad1
 
     basis = Basis(mesh.to_skfem(), ElementQuad1(), intorder=3)

@@ -18,7 +18,7 @@ import numpy as np
 
 from core_models.atomic import replacing
 from core_models.errors import MeshError
-from meshes.quad_mesh import QuadMesh
+from meshes.mesh import Mesh
 from meshes.xml_guard import refuse_document_type
 
 if TYPE_CHECKING:
@@ -36,12 +36,12 @@ IN_PLANE = 1e-9
 logger = logging.getLogger(__name__)
 
 
-def read_mesh(path: Path | str) -> QuadMesh:
+def read_mesh(path: Path | str) -> Mesh:
     """Read an axisymmetric mesh of quads with named boundaries; r is x, z is y, lengths in metres.
 
     Nodes that no quad uses are left out; elements keep the file's order.
     Raises MeshError, naming the file: not there, too large, truncated or not a mesh; cells other than
-    4-node quads and 2-node lines; out of the plane; and whatever QuadMesh refuses.
+    4-node quads and 2-node lines; out of the plane; and whatever Mesh refuses.
     """
     path = Path(path)
     parsed = _parse(path)
@@ -59,10 +59,10 @@ def read_mesh(path: Path | str) -> QuadMesh:
     new_number = np.full(len(points), -1)
     new_number[used] = np.arange(len(used))
     boundaries = {name: new_number[pairs] for name, pairs in _named_lines(path, parsed).items()}
-    return QuadMesh(points[used], quads.reshape(-1, 4), boundaries, source=str(path))
+    return Mesh(points[used], "quad4", quads.reshape(-1, 4), boundaries, source=str(path))
 
 
-def write_mesh(path: Path | str, mesh: QuadMesh) -> None:
+def write_mesh(path: Path | str, mesh: Mesh) -> None:
     """Write a mesh with its boundaries, as .msh (format 2.2, text) or .vtu; read_mesh gives it back equal.
 
     Raises MeshError for another suffix, OutputError when the file cannot be written.
@@ -75,8 +75,8 @@ def write_mesh(path: Path | str, mesh: QuadMesh) -> None:
     number = np.repeat(
         np.arange(len(mesh.boundaries)) + 1, [len(pairs) for pairs in mesh.boundaries.values()]
     )
-    numbers = [number.astype(np.int32), np.zeros(len(mesh.quads), np.int32)]
-    file = meshio.Mesh(_spatial(mesh.points), [("line", lines), ("quad", mesh.quads)])
+    numbers = [number.astype(np.int32), np.zeros(len(mesh.cells), np.int32)]
+    file = meshio.Mesh(_spatial(mesh.points), [("line", lines), ("quad", mesh.cells)])
     if suffix == ".vtu":
         file.cell_data = {
             name: [(block == i).astype(np.int32) for block in numbers]

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from meshes.geometry import areas, edge_lengths, scaled_jacobians, volumes_of_revolution
-from meshes.quad_mesh import QuadMesh
+from meshes.mesh import Mesh
 
 
 class Quality(NamedTuple):
@@ -23,7 +23,7 @@ class Quality(NamedTuple):
     volume: float
 
 
-def quality(mesh: QuadMesh) -> Quality:
+def quality(mesh: Mesh) -> Quality:
     """Quality figures of a mesh.
 
     The scaled Jacobian of an element is its worst corner's; its aspect ratio is its longest edge by its
@@ -35,7 +35,7 @@ def quality(mesh: QuadMesh) -> Quality:
     aspect_ratios = edges.max(axis=1) / edges.min(axis=1)
     element_areas = areas(corners)
     return Quality(
-        elements=len(mesh.quads),
+        elements=len(mesh.cells),
         nodes=len(mesh.points),
         min_scaled_jacobian=float(jacobians.min()),
         max_scaled_jacobian=float(jacobians.max()),

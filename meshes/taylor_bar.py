@@ -7,7 +7,7 @@ import numpy as np
 
 from core_models.errors import MeshError
 from meshes.gmsh_model import gmsh_model
-from meshes.quad_mesh import QuadMesh
+from meshes.mesh import Mesh
 
 STEEPEST_GRADING = 100.0
 """Ratio of axial sizes up to which gmsh places nodes to some 1e-5 of an element."""
@@ -20,7 +20,7 @@ def taylor_bar(
     elements_along: int | None = None,
     grading: float = 1.0,
     foot_height: float = 0.0,
-) -> QuadMesh:
+) -> Mesh:
     """Mesh a solid cylinder that stands on its foot, in structured quads.
 
     Parameters: radius, length [m], > 0; elements_across: from axis to side, >= 1; elements_along: from foot
@@ -40,9 +40,9 @@ def taylor_bar(
     unit_points = _put_rim_in_place(unit_points[order], elements_across, elements_along)
     points = unit_points * [radius, length] + [0.0, foot_height]
     nodes = np.arange(len(points)).reshape(elements_along + 1, elements_across + 1)
-    rim = {"foot": nodes[0], "side": nodes[:, -1], "rear": nodes[-1], "axis": nodes[:, 0]}
+    rim = {"foot": nodes[0], "side": nodes[:, -1], "rear": nodes[-1, ::-1], "axis": nodes[::-1, 0]}
     boundaries = {name: np.column_stack([line[:-1], line[1:]]) for name, line in rim.items()}
-    return QuadMesh(points, _renumber(quads, order), boundaries, source="taylor bar")
+    return Mesh(points, "quad4", _renumber(quads, order), boundaries, source="taylor bar")
 
 
 def _check(

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from meshes.quad_mesh import QuadMesh
+from meshes.mesh import Mesh
 from meshes.quarters import EDGE_QUARTERS, gauss_points, quarter_polygons
 
 GAUSS = "gauss"
@@ -24,7 +24,7 @@ class Particles(NamedTuple):
     faces: dict[str, np.ndarray]
 
 
-def seed(mesh: QuadMesh, seeding: str = GAUSS) -> Particles:
+def seed(mesh: Mesh, seeding: str = GAUSS) -> Particles:
     """Four particles in each quad of a mesh.
 
     seeding : 'gauss' puts them at the points of the finite element method, with its weights; 'lattice' at the middle
@@ -47,10 +47,10 @@ def _first_moments(polygons: np.ndarray) -> np.ndarray:
     return ((r + r1) * (r * z1 - r1 * z)).sum(axis=1) / 6.0
 
 
-def _faces(mesh: QuadMesh) -> dict[str, np.ndarray]:
+def _faces(mesh: Mesh) -> dict[str, np.ndarray]:
     """Faces of the particles' domains along each boundary: particle and first corner."""
     edges = {}
-    for element, quad in enumerate(mesh.quads.tolist()):
+    for element, quad in enumerate(mesh.cells.tolist()):
         for edge in range(4):
             edges[quad[edge], quad[(edge + 1) % 4]] = (element, edge)
     faces = {}

@@ -15,7 +15,8 @@ from core_models.points import MaterialPoints, Work
 from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.threads import Threads
 from core_models.walls import PLANE, check_wall
-from meshes.quad_mesh import QuadMesh
+from meshes.axisymmetric import axisymmetric
+from meshes.mesh import Mesh
 from mpm.grid import Grid, make_grid, make_order, sort_particles
 from mpm.motion import AFTER, BEFORE, accelerate, measure_gaps, meet_wall
 from mpm.particles import GAUSS, LATTICE, seed
@@ -30,7 +31,7 @@ class Solver:
 
     Parameters
     ----------
-    mesh : `meshes.QuadMesh` that the particles are seeded from, four in each quad. material : `Material`.
+    mesh : `meshes.mesh.Mesh` that the particles are seeded from, four in each quad. material : `Material`.
     cell_size : h of the grid [m]. velocity : initial axial velocity [m/s], negative towards the wall.
     temperature : initial [K]. wall : 'unilateral' or 'plane'. viscosity : BulkViscosity or None.
     threads : number of threads. transfer : 'apic' or 'flip'. flip_fraction : share of FLIP in the blend with PIC.
@@ -43,7 +44,7 @@ class Solver:
 
     def __init__(
         self,
-        mesh: QuadMesh,
+        mesh: Mesh,
         material: Material,
         *,
         cell_size: float,
@@ -65,6 +66,7 @@ class Solver:
         check_between("cfl", cfl, 0.0, 1.0)
         check_share("flip_fraction", flip_fraction)
         check_motion(velocity, temperature)
+        mesh = axisymmetric(mesh)
         self.mesh, self.material, self.wall, self.cfl = mesh, material, check_wall(wall), cfl
         self.cell_size, self.transfer = cell_size, transfer
         self._flip = flip_fraction if transfer == "flip" else -1.0

@@ -4,7 +4,8 @@ from math import sqrt
 from operator import index
 
 from core_models.errors import MeshError, SceneError
-from meshes.quad_mesh import QuadMesh
+from meshes.axisymmetric import axisymmetric, check_bar
+from meshes.mesh import Mesh
 from studies.scene import Scene
 
 FIT = 0.01  # largest relative difference between an own mesh's size and the cylinder it stands for
@@ -12,7 +13,7 @@ MOST_POINTS = 4_000_000
 BYTES_PER_POINT = 1000  # state, kinematics and output of one point, roughly
 
 
-def bar_mesh(scene: Scene, resolution: int) -> QuadMesh:
+def bar_mesh(scene: Scene, resolution: int) -> Mesh:
     """The bar as quads: the user's own mesh, or the cylinder with `resolution` elements across the radius."""
     if scene.mesh is not None:
         return own_mesh(scene)
@@ -21,11 +22,12 @@ def bar_mesh(scene: Scene, resolution: int) -> QuadMesh:
     return taylor_bar(scene.bar.radius, scene.bar.length, check_resolution(scene, resolution))
 
 
-def own_mesh(scene: Scene) -> QuadMesh:
+def own_mesh(scene: Scene) -> Mesh:
     """The mesh that the scene names; raises MeshError when it is not the scene's bar in front of the wall."""
     from meshes.io import read_mesh
 
-    mesh = read_mesh(scene.mesh)
+    mesh = axisymmetric(read_mesh(scene.mesh))
+    check_bar(mesh)
     low, high = mesh.points.min(axis=0), mesh.points.max(axis=0)
     if low[1] < 0.0:
         raise MeshError(f"{scene.mesh}: reaches below the wall, to z = {low[1]:g} m; move it up to z >= 0")

@@ -75,7 +75,7 @@ def _run_rows(
         steps = scene.end.limit(wall) * _wave_speed(scene) / (COURANT[method] * edge)
         low, high = (_rough(factor * steps) for factor in CRUSHED[method])
         rows.append(
-            [f"{method} {resolution}", str(4 * len(mesh.quads)), number(edge * 1e3, 3), f"{low} to {high}"]
+            [f"{method} {resolution}", str(4 * len(mesh.cells)), number(edge * 1e3, 3), f"{low} to {high}"]
         )
     return rows
 
@@ -86,7 +86,7 @@ def _rough(count: float) -> int:
 
 
 def _smallest_edge(mesh) -> float:
-    corners = mesh.points[mesh.quads]
+    corners = mesh.points[mesh.cells]
     edges = corners - corners[:, [1, 2, 3, 0]]
     return float(sqrt((edges**2).sum(axis=2).min()))
 

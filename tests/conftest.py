@@ -1,5 +1,6 @@
 """Materials, small bars and solvers that the tests of both methods share."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -19,7 +20,7 @@ from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.yield_condition.von_mises import VonMises
 from fem import ExplicitSolver
-from meshes.quad_mesh import QuadMesh
+from meshes.mesh import Mesh
 from meshes.taylor_bar import taylor_bar
 from mpm import Solver
 
@@ -78,7 +79,7 @@ def johnson_cook():
 def bar():
     """Make a bar of square elements of size CELL: elements across and along, cells between foot and wall."""
 
-    def make(across: int, along: int, gap: float = 0.0) -> QuadMesh:
+    def make(across: int, along: int, gap: float = 0.0) -> Mesh:
         return make_bar(across * CELL, along * CELL, across, along, foot_height=gap * CELL)
 
     return make
@@ -88,10 +89,10 @@ def bar():
 def distorted():
     """Move the nodes of a mesh at random, by up to a part of CELL each way; those on the axis stay on it."""
 
-    def move(mesh: QuadMesh, part: float, seed: int = 0) -> QuadMesh:
+    def move(mesh: Mesh, part: float, seed: int = 0) -> Mesh:
         shift = np.random.default_rng(seed).uniform(-part, part, mesh.points.shape) * CELL
         shift[mesh.points[:, 0] == 0.0, 0] = 0.0
-        return QuadMesh(mesh.points + shift, mesh.quads, mesh.boundaries)
+        return replace(mesh, points=mesh.points + shift)
 
     return move
 
@@ -100,7 +101,7 @@ def distorted():
 def build():
     """Make the solver of a method by name; MPM gets cells of the size of the elements."""
 
-    def make(method: str, mesh: QuadMesh, material: Material, **options) -> ExplicitSolver | Solver:
+    def make(method: str, mesh: Mesh, material: Material, **options) -> ExplicitSolver | Solver:
         options = {"velocity": 0.0} | options
         if method == "mpm":
             return Solver(mesh, material, **({"cell_size": CELL} | options))

@@ -26,7 +26,7 @@ def test_volume_of_the_full_turn_is_the_cylinders(radius, length, across, along,
     """The mesh fills the cylinder exactly, whatever its size, resolution and grading."""
     mesh = taylor_bar(radius, length, across, along, grading)
     assert quality(mesh).volume == pytest.approx(math.pi * radius**2 * length, rel=1e-12)
-    assert len(mesh.quads) == across * along
+    assert len(mesh.cells) == across * along
 
 
 @settings(max_examples=15, deadline=None)
@@ -62,13 +62,13 @@ def test_foot_height_lifts_the_bar():
     """`foot_height` is the z of the foot; nothing else changes."""
     low, high = taylor_bar(RADIUS, LENGTH, 2, 4), taylor_bar(RADIUS, LENGTH, 2, 4, foot_height=1e-3)
     assert np.array_equal(high.points, low.points + [0.0, 1e-3])
-    assert np.array_equal(high.quads, low.quads)
+    assert np.array_equal(high.cells, low.cells)
 
 
 def test_elements_and_nodes_are_numbered_row_by_row():
     """Neighbours in space are neighbours in memory, and an element starts at its lower inner corner."""
     mesh = taylor_bar(RADIUS, LENGTH, 3, 2)
-    assert mesh.quads.tolist()[:4] == [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [4, 5, 9, 8]]
+    assert mesh.cells.tolist()[:4] == [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [4, 5, 9, 8]]
 
 
 def test_same_parameters_give_the_same_mesh_bitwise():
