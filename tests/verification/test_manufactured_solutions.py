@@ -80,7 +80,9 @@ def test_momentum_balances(case):
     assert np.abs(rest).max() < 1e-9 * max(np.abs(force).max(), solution.density * np.abs(acceleration).max())
 
 
-@pytest.mark.parametrize(("solution", "radii"), [(VORTEX, [0.75, 1.25]), (RING, [0.4, 0.6])], ids=["vortex", "ring"])
+@pytest.mark.parametrize(
+    ("solution", "radii"), [(VORTEX, [0.75, 1.25]), (RING, [0.4, 0.6])], ids=["vortex", "ring"]
+)
 def test_rims_are_free_of_traction(solution, radii):
     """P N = 0 on both rims at every time, so that no load acts there."""
     rim = polar(radii)
