@@ -1,0 +1,1 @@
+"""Verification problems, one per file; each gives a `PROBLEM`."""
