@@ -1,22 +1,14 @@
 """A rectangle or box cut into elements of any kind, even or distorted."""
 
 from collections.abc import Sequence
-from itertools import permutations
 
 import numpy as np
 
 from core_models.errors import MeshError
-from meshes.boundaries import name_facets
-from meshes.elevate import with_middle_nodes
-from meshes.facets import find_facets
 from meshes.kinds import KINDS, find_kind
 from meshes.mesh import Mesh
-
-SIDES = {
-    2: (("left", "right"), ("bottom", "top")),
-    3: (("left", "right"), ("front", "back"), ("bottom", "top")),
-}
-"""Names of the boundaries at the lower and upper end of each coordinate."""
+from meshes.parameters import check_counts
+from meshes.patch import even_patch
 
 
 def block(
@@ -36,56 +28,24 @@ def block(
     Boundaries: left, right (x), bottom, top (last coordinate), in 3-D also front, back (y).
     Raises MeshError when a parameter is outside its range, or when a distortion inverts an element.
     """
-    low, high = np.asarray(lower, dtype=float), np.asarray(upper, dtype=float)
-    parts = np.asarray(counts)
     dimension = find_kind(kind).dimension
-    _check(low, high, parts, dimension, kind, distortion)
-    points, cells = unit_block(parts, kind)
-    facets = find_facets(kind, points, cells)
-    ends = {}
-    for axis, (at_low, at_high) in enumerate(SIDES[dimension]):
-        ends[at_low], ends[at_high] = points[:, axis] == 0.0, points[:, axis] == parts[axis]
-    inside = ((points > 0.0) & (points < parts)).all(axis=1)
-    shift = np.random.default_rng(seed).uniform(-distortion, distortion, points.shape) / KINDS[kind].degree
-    moved = points + np.where(inside[:, None], shift, 0.0)
-    share = moved / parts
-    return Mesh(low * (1.0 - share) + high * share, kind, cells, name_facets(facets, ends), source="block")
+    low, high = _ends(lower, upper, dimension, kind)
+    parts = check_counts("block", counts, kind)
+    if not 0.0 <= distortion < 0.5:
+        raise MeshError(f"block: distortion is {distortion}; give a number from 0 up to 0.5")
+    points, cells, boundaries = even_patch(parts, kind)
+    inside = ((points > 0.0) & (points < 1.0)).all(axis=1)
+    shift = np.random.default_rng(seed).uniform(-distortion, distortion, points.shape)
+    share = points + np.where(inside[:, None], shift, 0.0) / (parts * KINDS[kind].degree)
+    return Mesh(low * (1.0 - share) + high * share, kind, cells, boundaries, source="block")
 
 
-def unit_block(parts: np.ndarray, kind: str) -> tuple[np.ndarray, np.ndarray]:
-    """Points and cells of the block 0 <= x_k <= parts[k] in parts of size 1; the first coordinate runs fastest."""
-    wanted = find_kind(kind)
-    linear = KINDS[wanted.linear]
-    dimension = wanted.dimension
-    axes = np.meshgrid(*(np.arange(count + 1.0) for count in parts[::-1]), indexing="ij")
-    points = np.stack(axes[::-1], axis=-1).reshape(-1, dimension)
-    stride = np.concatenate([[1], np.cumprod(parts[:-1] + 1)])
-    origins = np.stack(np.meshgrid(*(np.arange(n) for n in parts[::-1]), indexing="ij")[::-1], axis=-1)
-    first = origins.reshape(-1, dimension) @ stride
-    paths = _paths(dimension) if linear.simplex else [linear.reference_nodes.astype(int)]
-    offsets = np.array([path @ stride for path in paths])
-    cells = (first[:, None, None] + offsets).reshape(-1, linear.nodes)
-    return (points, cells) if wanted is linear else with_middle_nodes(points, cells, kind)
-
-
-def _paths(dimension: int) -> list[np.ndarray]:
-    """Corners of the simplices of a unit cube: the ways along its edges from 0 to 1, positively oriented."""
-    paths = []
-    for order in permutations(range(dimension)):
-        path = np.concatenate(
-            [np.zeros((1, dimension), int), np.cumsum(np.eye(dimension, dtype=int)[list(order)], 0)]
-        )
-        if np.linalg.det(path[1:].astype(float)) < 0.0:
-            path[[1, 2]] = path[[2, 1]]
-        paths.append(path)
-    return paths
-
-
-def _check(
-    low: np.ndarray, high: np.ndarray, parts: np.ndarray, dimension: int, kind: str, distortion: float
-) -> None:
-    """Raise MeshError for the first parameter that is outside its range."""
-    for name, value in (("lower", low), ("upper", high), ("counts", parts)):
+def _ends(
+    lower: Sequence[float], upper: Sequence[float], dimension: int, kind: str
+) -> tuple[np.ndarray, np.ndarray]:
+    """Both corners; MeshError unless they have `dimension` finite coordinates with lower < upper."""
+    low, high = np.asarray(lower, dtype=float), np.asarray(upper, dtype=float)
+    for name, value in (("lower", low), ("upper", high)):
         if value.shape != (dimension,):
             raise MeshError(
                 f"block: {name} is {value.tolist()}; give {dimension} numbers for {kind} elements"
@@ -94,7 +54,4 @@ def _check(
         raise MeshError(
             f"block: lower is {low.tolist()}, upper {high.tolist()}; give finite numbers with lower < upper"
         )
-    if parts.dtype.kind not in "iu" or parts.min() < 1:
-        raise MeshError(f"block: counts is {parts.tolist()}; give whole numbers of at least 1")
-    if not 0.0 <= distortion < 0.5:
-        raise MeshError(f"block: distortion is {distortion}; give a number from 0 up to 0.5")
+    return low, high
