@@ -1,39 +1,56 @@
-"""Explicit finite elements: axisymmetric quads with mean dilatation, lumped mass, central differences."""
+"""Explicit finite elements: lumped mass and central differences in three geometries."""
 
 import math
+from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from core_models.arguments import check_between, check_motion
+from core_models.arguments import check_between
 from core_models.bulk_viscosity import BulkViscosity
-from core_models.laws import elastic_moduli
+from core_models.errors import SceneError, UnsupportedError
+from core_models.geometry import find_geometry
 from core_models.ledger import EnergyLedger
+from core_models.load_checks import check_loads, damping_of
+from core_models.loads import Load, at_time
 from core_models.material import Material
 from core_models.points import MaterialPoints, PointFailure
 from core_models.redo import VANISHING_STEP, redoing, step_within
-from core_models.status import OK
 from core_models.threads import Threads
-from core_models.walls import PLANE, check_wall
-from fem.mean_dilatation import ELEMENT_CHUNK, deform, resist
-from fem.motion import CONTACT_WORK, IMPULSE, NODE_CHUNK, move
-from fem.shape import outline
-from fem.space import elements_round_nodes, lumped_mass, quad_tables
+from core_models.walls import Wall, as_wall
+from fem.body import Body
+from fem.cures.choice import find_cure
+from fem.elements import FULL
+from fem.external import ExternalForces
+from fem.hourglass import DEFAULT
+from fem.initial import initial_positions, initial_velocities
+from fem.motion import CONTACT, DAMPING, EXTERNAL, FRICTION, IMPULSE, NODE_CHUNK, SUMS, move, wall_mode
+from fem.readout import Readout
+from fem.supports import Supports
 from meshes.axisymmetric import axisymmetric
 from meshes.mesh import Mesh
-from meshes.quarters import quarter_polygons
+
+QUASI_STATIC = 1e9  # s: time in which an initial displacement is imposed, so that no rate matters
 
 
-class ExplicitSolver:
-    """Explicit dynamics of an axisymmetric body that meets a rigid wall at z = 0.
+class ExplicitSolver(Readout):
+    """Explicit dynamics of a body.
 
     Parameters
     ----------
-    mesh : `meshes.mesh.Mesh`. material : `Material`.
-    velocity : initial axial velocity [m/s], negative towards the wall. temperature : initial [K].
-    wall : 'unilateral' or 'plane'. viscosity : BulkViscosity or None. threads : number of threads.
-    safety : part of the estimated stable step that is taken, in (0, 1].
+    mesh : `meshes.mesh.Mesh` of any kind. material : `Material`.
+    geometry : 'axisymmetric' (default in two dimensions), 'plane-strain' or 'spatial' (three).
+    velocity : initial [m/s]: a number along the last axis, a vector (d,), or a function of positions (n, d).
+    displacement : initial [m], a function of positions (n, d), or None; the body starts with the stress of it.
+    temperature : initial [K], None for the material's. loads : of `core_models.loads`.
+    wall : None, 'unilateral', 'plane' or a `Wall`. viscosity : BulkViscosity or None. threads : number of threads.
+    conduction : of heat. integration : 'full' or 'reduced' (one point in quad4 and hex8, two along each edge of quad8
+    and hex20). cure : against locking: None for the element's own, 'none', 'mean-dilatation', 'linear-dilatation'
+    (quadratic quads and hexahedra), 'nodal-average' (tri3, tet4). hourglass : coefficient of the hourglass control of
+    one-point elements, in (0, 1]. safety : part of the estimated stable step that is taken, in (0, 1].
 
     `advance` makes one step: motion of the nodes -> kinematics -> points -> nodal forces.
+    Raises SceneError, MeshError or UnsupportedError for what cannot be.
     """
 
     method = "fem-explicit"
@@ -43,50 +60,75 @@ class ExplicitSolver:
         mesh: Mesh,
         material: Material,
         *,
-        velocity: float,
+        geometry: str | None = None,
+        velocity: float | ArrayLike | Callable = 0.0,
+        displacement: Callable | None = None,
         temperature: float | None = None,
-        wall: str = "unilateral",
+        loads: tuple[Load, ...] = (),
+        wall: Wall | str | None = None,
         viscosity: BulkViscosity | None = None,
         threads: int = 1,
+        conduction: bool = False,
+        integration: str = FULL,
+        cure: str | None = None,
+        hourglass: float = DEFAULT,
         safety: float = 0.9,
     ) -> None:
         check_between("safety", safety, 0.0, 1.0)
-        check_motion(velocity, temperature)
-        mesh = axisymmetric(mesh)
-        self.mesh, self.material, self.wall, self.safety = mesh, material, check_wall(wall), safety
+        check_between("hourglass", hourglass, 0.0, 1.0)
+        if temperature is not None:
+            check_between("temperature", temperature, 0.0, math.inf, "K")
+        if conduction:
+            raise UnsupportedError("fem has no conduction: leave conduction out")
+        self.geometry = find_geometry(geometry, mesh.dimension)
+        self.mesh = axisymmetric(mesh) if geometry in (None, "axisymmetric") and mesh.dimension == 2 else mesh
+        check_loads(tuple(loads), self.mesh, self.geometry)
+        self.material, self.wall, self.safety = material, as_wall(wall), safety
+        self.cure = find_cure(cure, mesh.kind, integration)
         self.threads = Threads(threads)
-        self.tables = quad_tables(mesh)
-        count = len(mesh.points)
-        self.nodal_mass, self._corner_mass = lumped_mass(self.tables, material.density, count)
-        self._round = elements_round_nodes(self.tables.nodes, count)
-        self._on_axis = mesh.points[:, 0] == 0.0
-        self.positions = mesh.points.copy()
-        self.velocities = np.zeros((count, 2))
-        self.velocities[:, 1] = velocity
-        self._held = np.zeros(count, dtype=np.bool_)
+        self._body = Body(self.mesh, material, self.geometry, integration, self.cure, hourglass, self.threads)
+        self.mass = float(self._body.nodal_mass.sum())
+        self._supports = Supports(loads, self.mesh, self.geometry)
+        self._external = ExternalForces(loads, self.mesh, self.geometry, self._body.nodal_mass)
+        damping = damping_of(loads)
+        self._damping_rate = damping.rate if damping else 0.0
+        self.velocities = initial_velocities(velocity, self.mesh.points)
         self.points = MaterialPoints(
-            material, self.tables.weights.ravel(), temperature, viscosity, self.threads
+            material, self._body.space.tables.weights.ravel(), temperature, viscosity, self.threads
         )
-        elements = len(self.tables.nodes)
-        self._volume_ratio = np.ones(4 * elements)
-        self._next = tuple(
-            a.copy() for a in (self.positions, self.velocities, self._held, self._volume_ratio)
-        )
-        self._shear_modulus = elastic_moduli(material.elasticity)[1]
-        self._corner_forces = np.zeros((elements, 4, 2))
-        chunks = -(-elements // ELEMENT_CHUNK)
-        self._failures = np.zeros((chunks, 2), dtype=np.int64)
-        self._steps = np.zeros(chunks)
-        self._node_sums = np.zeros((-(-count // NODE_CHUNK), 2))
+        self.positions = self.mesh.points.copy()
+        count = len(self.positions)
+        self._held = np.zeros(count, dtype=np.bool_)
+        self._next = tuple(a.copy() for a in (self.positions, self.velocities, self._held))
+        self._node_sums = np.zeros((-(-count // NODE_CHUNK), SUMS))
         self.time, self.step_count, self.point_updates = 0.0, 0, 0
-        self.mass = float(self.nodal_mass.sum())
+        self._last_step, self._middle = 0.0, 1.0
         self.initial_momentum = self.momentum
         self.wall_impulse, self.wall_force = 0.0, 0.0
         self._ledger = EnergyLedger(0.0, 0.0)
+        if displacement is not None:
+            self._displace(initial_positions(displacement, self.mesh.points))
         self._resist()
-        self.time_step = self._stable_step()
-        self._first_step, self._last_step = self.time_step, 0.0
-        self._ledger.initial = self.kinetic_energy()
+        self._first_step = self.time_step
+        self._ledger.initial = (
+            self.kinetic_energy() + self._ledger.strain + self._ledger.plastic + self._ledger.hourglass
+        )
+
+    def _displace(self, positions: np.ndarray) -> None:
+        """Bring the undeformed body to given positions (n, d) [m], slowly; SceneError if it cannot be there."""
+        try:
+            self._body.deform(positions, self.points)
+            work = self.points.advance(QUASI_STATIC)
+        except PointFailure as reason:
+            raise SceneError(
+                f"the initial displacement cannot be: {reason} at point {reason.point}: make it smaller"
+            ) from None
+        self.points.accept()
+        self._body.accept()
+        self.positions[:] = positions
+        if self.points.viscous_pressure is not None:
+            self.points.viscous_pressure[:] = 0.0
+        self._ledger.plastic, self._ledger.strain = work.plastic, work.stress - work.plastic
 
     def advance(self, limit: float = math.inf) -> None:
         """Make one step; a step that some point cannot take is redone smaller.
@@ -102,94 +144,46 @@ class ExplicitSolver:
             lambda: self.points.place(self.step_count + 1, self.time, int(self.point_volumes().argmin())),
             lambda reason: self.points.failure(reason, self.step_count + 1, self.time),
         )
-        self._resist()
         self.time = limit if taken == limit - self.time else self.time + taken
         self.step_count += 1
         self.point_updates += self.points.n
         self._last_step = taken
-        self.time_step = self._stable_step()
+        self._resist()
 
     def _attempt(self, dt: float) -> None:
         """Move, deform and advance the points by dt; nothing of it lasts unless all of it works."""
-        x1, v1, held1, j1 = self._next
+        body, supports = self._body, self._supports
+        x1, v1, held1 = self._next
         middle = 0.5 * (self._last_step + dt)
+        supports.move_to(self.time + 0.5 * dt)
         self.threads.run(
-            move, len(self._node_sums), self._round.start, self._round.entries, self._corner_forces, self.nodal_mass,
-            self._on_axis, self.wall == PLANE, dt, middle, self.positions, self.velocities, self._held, x1, v1, held1,
-            self._node_sums,
+            move, len(self._node_sums), self.geometry, body.round.start, body.round.entries, body.corner_forces,
+            self._loads, body.nodal_mass, supports.fixed, supports.given, wall_mode(self.wall),
+            self.wall.friction if self.wall else 0.0, self._damping, dt, middle, self.positions, self.velocities,
+            self._held, x1, v1, held1, supports.reactions, self._node_sums,
         )  # fmt: skip
-        self.threads.run(
-            deform, len(self._failures), self.tables, x1, self.points.deformation_gradient, j1,
-            self.points.lengths, self._failures,
-        )  # fmt: skip
-        bad = np.flatnonzero(self._failures[:, 0] != OK)
-        if bad.size:
-            raise PointFailure(*(int(value) for value in self._failures[bad[0]]))
+        body.deform(x1, self.points)
         work = self.points.advance(dt)
         self.points.accept()
-        self._next = (self.positions, self.velocities, self._held, self._volume_ratio)
-        self.positions, self.velocities, self._held, self._volume_ratio = x1, v1, held1, j1
-        impulse, contact = self._node_sums.sum(axis=0)[[IMPULSE, CONTACT_WORK]]
-        self.wall_impulse += float(impulse)
-        self.wall_force = float(impulse) / middle
+        body.accept()
+        self._next = (self.positions, self.velocities, self._held)
+        self.positions, self.velocities, self._held = x1, v1, held1
+        self._middle = middle
+        sums = [float(value) for value in self._node_sums.sum(axis=0)]
+        self.wall_impulse += sums[IMPULSE]
+        self.wall_force = sums[IMPULSE] / middle
         ledger = self._ledger
-        ledger.contact -= float(contact)
+        ledger.contact -= sums[CONTACT]
+        ledger.friction -= sums[FRICTION]
+        ledger.damping -= sums[DAMPING]
+        ledger.external += sums[EXTERNAL]
         ledger.plastic += work.plastic
         ledger.viscosity += work.viscous
         ledger.strain += work.stress - work.plastic
 
     def _resist(self) -> None:
-        """Internal forces and stable steps at the present positions."""
-        points = self.points
-        self.threads.run(
-            resist, len(self._steps), self.tables, self.positions, self._volume_ratio, points.old.stress,
-            points.viscous_pressure, points.wave_speed, points.viscosity, self.material.density,
-            self._shear_modulus, self._corner_mass, self._corner_forces, self._steps,
-        )  # fmt: skip
-
-    def _stable_step(self) -> float:
-        return self.safety * float(self._steps.min())
-
-    def nodal_forces(self) -> np.ndarray:
-        """Internal forces on the nodes (n, 2) [N]."""
-        nodes, forces = self.tables.nodes.ravel(), self._corner_forces.reshape(-1, 2)
-        count = len(self.nodal_mass)
-        return np.column_stack([np.bincount(nodes, weights=forces[:, k], minlength=count) for k in range(2)])
-
-    def kinetic_energy(self) -> float:
-        """Kinetic energy at `time` [J]: that of the half step before, and half a step's power of the forces."""
-        half = 0.5 * float((self.nodal_mass * (self.velocities**2).sum(axis=1)).sum())
-        return half + 0.5 * self._last_step * float((self.nodal_forces() * self.velocities).sum())
-
-    @property
-    def ledger(self) -> EnergyLedger:
-        """Energies up to now; the kinetic one is worked out when somebody looks."""
-        self._ledger.kinetic = self.kinetic_energy()
-        return self._ledger
-
-    @property
-    def momentum(self) -> float:
-        """Axial momentum [kg m/s], half a step before `time`."""
-        return float((self.nodal_mass * self.velocities[:, 1]).sum())
-
-    @property
-    def in_contact(self) -> bool:
-        """Whether the wall has pushed during the last step."""
-        return self.wall_force != 0.0
-
-    def point_positions(self) -> np.ndarray:
-        """Positions of the points (n, 2) [m]."""
-        corners = self.positions[self.tables.nodes]
-        return np.einsum("qI,eIk->eqk", self.tables.shape, corners).reshape(-1, 2)
-
-    def point_volumes(self) -> np.ndarray:
-        """Current volumes of the points (n,) [m^3]."""
-        return self.points.reference_volumes * self._volume_ratio
-
-    def domains(self) -> np.ndarray:
-        """Deformed quarter of the element round each point (n, 4, 2) [m]."""
-        return quarter_polygons(self.positions[self.tables.nodes])
-
-    def outline(self) -> dict[str, np.ndarray]:
-        """Deformed boundary: 'foot' (axis to rim), 'side' (foot to rear), 'rear' (rim to axis), each (k, 2) [m]."""
-        return outline(self.mesh.boundaries, self.positions)
+        """All forces and the stable step at the present positions."""
+        self.time_step = self.safety * self._body.resist(self.positions, self.points)
+        self._ledger.hourglass = self._body.hourglass_energy
+        self._loads = self._external.at(self.positions, self.time)
+        self._damping = at_time(self._damping_rate, self.time)

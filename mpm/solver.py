@@ -202,9 +202,9 @@ class Solver:
         self._order = make_order(len(self.positions), rows)
 
     @property
-    def momentum(self) -> float:
-        """Axial momentum [kg m/s]."""
-        return float((self.particle_mass * self.velocities[:, 1]).sum())
+    def momentum(self) -> np.ndarray:
+        """Momentum (2,) [kg m/s], along the axis."""
+        return np.array([0.0, (self.particle_mass * self.velocities[:, 1]).sum()])
 
     @property
     def in_contact(self) -> bool:

@@ -24,7 +24,7 @@ class Ending:
         """Whether the bar left the wall at least one axial period ago."""
         if self._period is None or self._contact.last is None:
             return False
-        return solver.time >= self._contact.last + self._period and solver.momentum > 0.0
+        return solver.time >= self._contact.last + self._period and solver.momentum[-1] > 0.0
 
     def next_stop(self, solver) -> float:
         """The next time at which the run may be over [s]: no step shall pass it."""

@@ -68,7 +68,7 @@ class History(Observer):
             solver.time_step,
             *energies,
             sum(energies),
-            solver.momentum,
+            solver.momentum[-1],
             solver.wall_impulse,
             self._mean_force(solver),
             bar_shape.length(outline),

@@ -102,7 +102,7 @@ def build():
     """Make the solver of a method by name; MPM gets cells of the size of the elements."""
 
     def make(method: str, mesh: Mesh, material: Material, **options) -> ExplicitSolver | Solver:
-        options = {"velocity": 0.0} | options
+        options = {"velocity": 0.0, "wall": "unilateral"} | options
         if method == "mpm":
             return Solver(mesh, material, **({"cell_size": CELL} | options))
         return ExplicitSolver(mesh, material, **options)

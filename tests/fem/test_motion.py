@@ -56,7 +56,7 @@ def test_an_elastic_rod_bounces_off_a_unilateral_wall(rod):
         assert solver.wall_force >= 0.0
         last_contact = solver.time if solver.in_contact else last_contact
     assert last_contact == pytest.approx(2.0 * travel, rel=0.05)
-    assert solver.momentum == pytest.approx(-solver.initial_momentum, rel=0.1)
+    assert solver.momentum[-1] == pytest.approx(-solver.initial_momentum[-1], rel=0.1)
     assert solver.outline()["foot"][:, 1].min() > 0.0
 
 
@@ -78,8 +78,8 @@ def test_balances_close_in_a_taylor_impact(taylor, wall):
     masses = set()
     for solver in taylor(wall):
         masses.add(solver.mass)
-        change = solver.momentum - solver.initial_momentum
-        assert abs(change - solver.wall_impulse) < 1e-12 * abs(solver.initial_momentum)
+        change = solver.momentum[-1] - solver.initial_momentum[-1]
+        assert abs(change - solver.wall_impulse) < 1e-12 * abs(solver.initial_momentum[-1])
         assert abs(solver.ledger.relative_error) < 5e-3
     assert len(masses) == 1
     assert solver.ledger.plastic > 0.1 * solver.ledger.initial
@@ -112,7 +112,7 @@ def test_a_bar_that_starts_above_the_wall_touches_it_at_the_right_time(build, ba
         solver.advance()
         assert solver.wall_impulse == 0.0
         assert not solver.in_contact
-    assert solver.momentum == pytest.approx(solver.initial_momentum, rel=1e-12)
+    assert solver.momentum[-1] == pytest.approx(solver.initial_momentum[-1], rel=1e-12)
     assert np.abs(solver.points.fields()["stress"].array).max() < 1e-6 * j2.flow.yield_stress
     solver.advance()
     assert solver.in_contact

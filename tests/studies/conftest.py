@@ -19,7 +19,8 @@ LENGTH, RADIUS, SPEED, DURATION = 32.4e-3, 3.2e-3, 227.0, 60e-6
 class FakeSolver:
     """Uniform shortening until DURATION, then free flight upwards; `error` sets its distance from the limit."""
 
-    initial_momentum, mass, threads, time_step = -2.0, 0.009, 1, 1e-6
+    initial_momentum = np.array([0.0, -2.0])
+    mass, threads, time_step = 0.009, 1, 1e-6
 
     def __init__(self, error: float = 0.0, wall: str = "unilateral", fails_at: float = np.inf) -> None:
         self.time, self.step_count, self.point_updates = 0.0, 0, 0
@@ -37,14 +38,14 @@ class FakeSolver:
         return self._wall == "plane" or 0.0 < self.time <= DURATION
 
     @property
-    def momentum(self) -> float:
-        """Axial momentum."""
-        return -2.0 + 2.5 * self.progress
+    def momentum(self) -> np.ndarray:
+        """Momentum along the axis."""
+        return np.array([0.0, -2.0 + 2.5 * self.progress])
 
     @property
     def wall_impulse(self) -> float:
         """Impulse of the wall so far."""
-        return self.momentum + 2.0
+        return self.momentum[-1] + 2.0
 
     @property
     def wall_force(self) -> float:

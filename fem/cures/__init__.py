@@ -1,0 +1,1 @@
+"""Locking cures: one projection of the volume ratio per file, all from a potential."""

@@ -1,0 +1,47 @@
+"""Quadrature on a named boundary: reference areas, current normals, and nodal forces from both."""
+
+import numpy as np
+
+from core_models.geometry import Axisymmetric, Geometry
+from fem.reference import rule, shape_functions
+from meshes.kinds import KINDS
+from meshes.mesh import Mesh
+
+_DEGREE = 5
+
+
+class BoundaryFacets:
+    """The facets of a named boundary.
+
+    nodes : (k, b) node numbers. positions : (k, q, d) reference positions of the points [m]. areas : (k, q) reference
+    areas that they weigh [m^2]: 2 pi R per length in the axisymmetric body, those of unit thickness in plane strain.
+    """
+
+    def __init__(self, mesh: Mesh, name: str, geometry: Geometry) -> None:
+        facet = KINDS[mesh.kind].facet
+        places, self._weights = rule(facet, _DEGREE)
+        self._shape, self._local = shape_functions(facet, places)
+        self._axisymmetric = isinstance(geometry, Axisymmetric)
+        self.nodes = mesh.boundaries[name]
+        self.positions = np.einsum("qb,kbi->kqi", self._shape, mesh.points[self.nodes])
+        self.areas = np.linalg.norm(self.normals(mesh.points), axis=2)
+
+    def normals(self, x: np.ndarray) -> np.ndarray:
+        """Outward normals times the areas of the points (k, q, d) [m^2] for nodes at x (n, d) [m]."""
+        corners = x[self.nodes]
+        along = np.einsum("qbj,kbi->jkqi", self._local, corners)
+        if len(along) == 1:
+            normals = np.stack([along[0, ..., 1], -along[0, ..., 0]], axis=-1)
+        else:
+            normals = np.cross(along[0], along[1])
+        normals *= self._weights[:, None]
+        if self._axisymmetric:
+            normals *= 2.0 * np.pi * np.einsum("qb,kb->kq", self._shape, corners[..., 0])[..., None]
+        return normals
+
+    def add(self, forces: np.ndarray, at_points: np.ndarray) -> None:
+        """Add forces (k, q, d) [N] at the points to the nodal forces (n, d) [N]."""
+        shares = np.einsum("qb,kqi->kbi", self._shape, at_points)
+        flat = self.nodes.ravel()
+        for i in range(forces.shape[1]):
+            forces[:, i] += np.bincount(flat, weights=shares[..., i].ravel(), minlength=len(forces))
