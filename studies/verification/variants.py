@@ -8,7 +8,13 @@ BEFORE_FLOOR = 1.5  # of GIMP and CPDI, before their floor
 CONTROL = "MPM linear"
 KINDS = {2: ("quad4", "tri3", "quad8", "quad9", "tri6"), 3: ("hex8", "tet4", "hex20", "hex27", "tet10")}
 SEEDED = {2: "quad4", 3: "hex8"}  # meshes that particles are made from
-INTERPOLATIONS = {"linear": None, "gimp": BEFORE_FLOOR, "cpdi": BEFORE_FLOOR, "quadratic": SECOND, "cubic": SECOND}
+INTERPOLATIONS = {
+    "linear": None,
+    "gimp": BEFORE_FLOOR,
+    "cpdi": BEFORE_FLOOR,
+    "quadratic": SECOND,
+    "cubic": SECOND,
+}
 
 
 def elements(dimension: int) -> list[Variant]:
@@ -42,3 +48,22 @@ def transfers(dimension: int) -> list[Variant]:
     ]
     linear = {"interpolation": "linear", "configuration": "total"}
     return [*found, Variant("MPM linear, total", MPM, SEEDED[dimension], linear)]
+
+
+def cured(dimension: int) -> list[Variant]:
+    """What follows plastic flow without locking: every element with its own cure, MPM with mean dilatation."""
+    found = [Variant(f"FEM {kind}", FEM, kind) for kind in KINDS[dimension]]
+    kind = KINDS[dimension][0]
+    found.append(Variant(f"FEM {kind}, one point", FEM, kind, {"integration": "reduced"}))
+    options = {"interpolation": "quadratic", "cure": "mean-dilatation"}
+    return [*found, Variant("MPM quadratic, mean dilatation", MPM, SEEDED[dimension], options)]
+
+
+def uncured(dimension: int) -> list[Variant]:
+    """The same without a cure, and MPM as it is by itself."""
+    found = [Variant(f"FEM {kind}, no cure", FEM, kind, {"cure": "none"}) for kind in KINDS[dimension]]
+    return [
+        *found,
+        Variant("MPM quadratic", MPM, SEEDED[dimension]),
+        Variant("MPM linear", MPM, SEEDED[dimension], {"interpolation": "linear"}),
+    ]
