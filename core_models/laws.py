@@ -44,6 +44,26 @@ def _(flow, hardening_variable, strain_increment, plastic_rate, temperature):
 
 
 @generic
+def under_pressure(flow, density_ratio, pressure, melting):
+    """The flow law with the constants that it has at a density and a pressure, which `flow_stress` does not know.
+
+    Parameters
+    ----------
+    density_ratio : rho / rho_0 > 0. pressure : [Pa], positive in compression. melting : melting temperature there
+    [K], infinite if nothing tells.
+
+    Returns
+    -------
+    a law of the same type: `flow` itself where neither density nor pressure matters
+    """
+
+
+@under_pressure.otherwise
+def _(flow, density_ratio, pressure, melting):
+    return flow
+
+
+@generic
 def return_to_surface(
     yield_condition, flow, trial, shear_3, stress_before, plastic_strain, hardening_variable, over_dt, temperature,
     tolerance,
@@ -107,12 +127,32 @@ def is_beyond_eos(eos, volume_ratio):
 
 
 @generic
-def melting_temperature(melting):
-    """Melting temperature [K]."""
+def shear_modulus(law, density_ratio, temperature, pressure, melting):
+    """Shear modulus and its slopes.
+
+    Parameters
+    ----------
+    density_ratio : rho / rho_0 > 0. temperature : [K]. pressure : [Pa], positive in compression.
+    melting : melting temperature at that density and pressure [K], infinite if nothing melts.
+
+    Returns
+    -------
+    (modulus [Pa], d/d density_ratio [Pa], d/d temperature [Pa/K], d/d pressure [-], d/d melting [Pa/K])
+    """
+
+
+@generic
+def melting_temperature(melting, density_ratio=1.0, pressure=0.0):
+    """Melting temperature [K].
+
+    Parameters
+    ----------
+    density_ratio : rho / rho_0 > 0. pressure : [Pa], positive in compression. Left out: the body at rest.
+    """
 
 
 @melting_temperature.register(type(None))
-def _(melting):
+def _(melting, density_ratio=1.0, pressure=0.0):
     return math.inf
 
 

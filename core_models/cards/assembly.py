@@ -35,8 +35,10 @@ def assembled_laws(blocks: Blocks, update: tuple, card: Numbers) -> dict[str, An
     """The fields of the Material, except its name; `card` holds the plain numbers of both blocks."""
     fields: dict[str, Any] = {"density": card["density"], "update": update}
     fields["elasticity"] = IsotropicElastic(card["bulk_modulus"], card["shear_modulus"])
-    fields |= _laws_given(blocks, card)
-    fields |= _constants(card)
+    constants, laws = _constants(card), _laws_given(blocks, card)
+    fields |= constants | {
+        slot: law for slot, law in laws.items() if law is not None or slot not in constants
+    }
     if "eos" not in fields:
         fields["eos"] = _default_eos(blocks, update, card)
     if "yield_condition" not in fields and fields["flow"] is not None:

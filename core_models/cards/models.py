@@ -53,7 +53,17 @@ def read_law(element: etree._Element, slot: SlotSchema, card: Numbers) -> tuple 
             check_inert(children[inert.tag], inert)
     numbers = read_numbers(element, model.parameters, children, card)
     check_ascending(element, model.ascending, numbers, children)
-    return model.law(**{parameter.field: numbers[parameter.tag] for parameter in model.parameters})
+    law = model.law(**{parameter.field: numbers[parameter.tag] for parameter in model.parameters})
+    check_fault(element, law)
+    return law
+
+
+def check_fault(element: etree._Element, law: tuple) -> None:
+    """Refuse a law that finds fault with its own numbers."""
+    fault = law.fault() if hasattr(law, "fault") else ""
+    if fault:
+        problem, _, remedy = fault.partition(": ")
+        raise refusal(element, f"<{element.tag}> of type {element.get('type')}: {problem}", remedy)
 
 
 def read_numbers(

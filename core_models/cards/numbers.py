@@ -8,7 +8,7 @@ from lxml import etree
 from core_models.cards.blocks import check_attributes
 from core_models.cards.origins import quoted, refusal
 from core_models.errors import UnsupportedError
-from core_models.schema import Inert, Interval, Parameter
+from core_models.schema import ANY_NUMBER_OF, Inert, Interval, Parameter
 
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 MISSING_EXPONENT_MARK = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+))[dD]?([+-]\d+)", re.ASCII)
@@ -64,9 +64,11 @@ def _leaf_text(element: etree._Element) -> str:
 def _vector(element: etree._Element, size: int) -> tuple[float, ...]:
     text = _leaf_text(element)
     parts = text[1:-1].split(",")
-    if not (text.startswith("[") and text.endswith("]") and len(parts) == size):
+    is_long_enough = len(parts) >= 2 if size == ANY_NUMBER_OF else len(parts) == size
+    if not (text.startswith("[") and text.endswith("]") and is_long_enough):
+        wanted = "two or more" if size == ANY_NUMBER_OF else size
         raise refusal(
-            element, f"<{element.tag}> is {quoted(text)}", f"write {size} numbers like [0.0, 1.0, 0.0]"
+            element, f"<{element.tag}> is {quoted(text)}", f"write {wanted} numbers like [0.0, 1.0, 0.0]"
         )
     return tuple(_number(element, part.strip()) for part in parts)
 

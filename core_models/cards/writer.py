@@ -9,6 +9,7 @@ from core_models.atomic import replacing
 from core_models.cards.reader import parse_material
 from core_models.errors import MaterialError, MatpointError
 from core_models.material import Material
+from core_models.melting.constant import ConstantMelting
 from core_models.schema import (
     CONSTANTS,
     ELASTICITY,
@@ -18,6 +19,7 @@ from core_models.schema import (
     Parameter,
     SlotSchema,
 )
+from core_models.specific_heat.constant import ConstantSpecificHeat
 
 LAWS_IN_BLOCKS = tuple(slot for slot in SLOTS if slot.models and slot is not UPDATE)
 
@@ -74,15 +76,21 @@ def _add_numbers(
 ) -> None:
     for parameter in parameters:
         if numbers[parameter.tag] is not None:
-            etree.SubElement(block, parameter.tag).text = repr(float(numbers[parameter.tag]))
+            etree.SubElement(block, parameter.tag).text = _in_words(numbers[parameter.tag])
+
+
+def _in_words(number: float | tuple[float, ...]) -> str:
+    if isinstance(number, tuple):
+        return f"[{', '.join(repr(float(part)) for part in number)}]"
+    return repr(float(number))
 
 
 def _add_law(
     block: etree._Element, slot: SlotSchema, law: tuple | None, card: Mapping[str, float | None]
 ) -> None:
-    """A block that states the law, or that there is none; nothing where its absence says so."""
-    if law is None:
-        if slot.plain and slot.absent != "none":
+    """A block that states the law, or that there is none; nothing where its absence or a plain tag says so."""
+    if law is None or type(law) in (ConstantMelting, ConstantSpecificHeat):
+        if slot.plain and slot.absent != slot.plain[0]:
             etree.SubElement(block, slot.tags[0], {slot.attribute: slot.plain[0]})
         return
     model = slot.model_of(law)

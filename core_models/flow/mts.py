@@ -10,8 +10,8 @@ from core_models.laws import evolve_hardening, flow_stress
 class MechanicalThreshold(NamedTuple):
     """Mechanical Threshold Stress with the threshold stress as a true history variable.
 
-        sigma_y = sigma_a + S_e sigma_e mu(T) / mu_0
-        S_e = [1 - (k T / (g_0e b^3 mu) ln(edot_0e / rate))^(1/q_e)]^(1/p_e)
+        sigma_y = sigma_a + (S_i sigma_i + S_e sigma_e) mu(T) / mu_0
+        S_x = [1 - (k T / (g_0x b^3 mu) ln(edot_0x / rate))^(1/q_x)]^(1/p_x),   x = e, i
         d sigma_e / d ep = theta_0 (1 - F) + theta_IV F,    F = tanh(alpha sigma_e / sigma_es) / tanh(alpha)
         theta_0 = a_0 + a_1 ln(rate) + a_2 sqrt(rate) - a_3 T
         sigma_es = sigma_es0 (rate / edot_es0)^(k T / (g_0es b^3 mu))
@@ -21,10 +21,12 @@ class MechanicalThreshold(NamedTuple):
     ----------
     sigma_a, sigma_es0, theta_IV : [Pa]. koverbcubed : k/b^3 [Pa/K]. edot_0e, edot_es0 : [1/s].
     g_0e, g_0es, q_e, p_e, alpha : [-]. a_0 [Pa], a_1 [Pa], a_2 [Pa s^0.5], a_3 [Pa/K]. b1, b2 [Pa], b3 [K], mu_0 [Pa].
+    sigma_i [Pa], g_0i, q_i, p_i [-], edot_0i [1/s] : the intrinsic barrier of bcc metals, which does not evolve; none
+    with sigma_i = 0.
 
     Conventions: the rate is the plastic rate, not below 1e-7 /s; b1 (the 0 K modulus of mu) and mu_0 (the
-    denominator) are kept apart; the elastic shear modulus stays the card's constant. S_e is 0 where the bracket is
-    negative and 1 above edot_0e; theta_0 and mu are not below 0.
+    denominator) are kept apart; the elastic shear modulus stays the card's constant. S_x is 0 where the bracket is
+    negative and 1 above edot_0x; theta_0 and mu are not below 0.
     Source: Follansbee & Kocks, Acta Metall. 36 (1988) 81; Goto et al., Metall. Mater. Trans. A 31 (2000) 1985.
     """
 
@@ -47,9 +49,20 @@ class MechanicalThreshold(NamedTuple):
     b2: float
     b3: float
     mu_0: float
+    sigma_i: float = 0.0
+    g_0i: float = 0.0
+    edot_0i: float = 0.0
+    p_i: float = 0.0
+    q_i: float = 0.0
 
     uses_temperature = True
     hardening_variable = 0.0
+
+    def fault(self) -> str:
+        """What is wrong with the parameters taken together; empty if nothing is."""
+        if self.sigma_i > 0.0 and not all((self.g_0i, self.edot_0i, self.p_i, self.q_i)):
+            return "a sigma_i needs g_0i, edot_0i, p_i and q_i above 0: give these, or none of the five"
+        return ""
 
 
 LOWEST_RATE = 1e-7  # 1/s
@@ -65,17 +78,33 @@ def _varshni_modulus(flow, temperature):
 
 
 @inside_kernel
-def _thermal_factor(flow, rate, temperature, mu):
-    """S_e and its slope with respect to the rate."""
-    scale = flow.koverbcubed * temperature / (flow.g_0e * mu)
-    x = scale * math.log(flow.edot_0e / rate)
+def _thermal_factor(scale, reference_rate, q, p, rate):
+    """S_x and its slope with respect to the rate; scale: k T / (g_0x b^3 mu)."""
+    x = scale * math.log(reference_rate / rate)
     if x <= 0.0:
         return 1.0, 0.0
-    y = x ** (1.0 / flow.q_e)
+    y = x ** (1.0 / q)
     if y >= 1.0:
         return 0.0, 0.0
-    s = (1.0 - y) ** (1.0 / flow.p_e)
-    return s, s / (flow.p_e * (1.0 - y)) * y / (flow.q_e * x) * scale / rate
+    s = (1.0 - y) ** (1.0 / p)
+    return s, s / (p * (1.0 - y)) * y / (q * x) * scale / rate
+
+
+@inside_kernel
+def _evolving(flow, rate, temperature, mu):
+    """S_e and its slope with respect to the rate."""
+    scale = flow.koverbcubed * temperature / (flow.g_0e * mu)
+    return _thermal_factor(scale, flow.edot_0e, flow.q_e, flow.p_e, rate)
+
+
+@inside_kernel
+def _intrinsic(flow, rate, temperature, mu):
+    """S_i sigma_i and its slope with respect to the rate."""
+    if flow.sigma_i == 0.0:
+        return 0.0, 0.0
+    scale = flow.koverbcubed * temperature / (flow.g_0i * mu)
+    s, slope = _thermal_factor(scale, flow.edot_0i, flow.q_i, flow.p_i, rate)
+    return s * flow.sigma_i, slope * flow.sigma_i
 
 
 @inside_kernel
@@ -113,20 +142,22 @@ def _hardening_rate(flow, threshold, theta, saturation):
 def _(flow, hardening_variable, plastic_strain, plastic_rate, temperature):
     rate = max(plastic_rate, LOWEST_RATE)
     mu = _varshni_modulus(flow, temperature)
-    s, s_rate = _thermal_factor(flow, rate, temperature, mu)
+    s, s_rate = _evolving(flow, rate, temperature, mu)
+    barrier, barrier_rate = _intrinsic(flow, rate, temperature, mu)
     ratio = mu / flow.mu_0
     if plastic_rate <= LOWEST_RATE:
-        s_rate = 0.0
+        s_rate, barrier_rate = 0.0, 0.0
     step = 1e-4 * max(temperature, LOWEST_TEMPERATURE)
     mu_hot = _varshni_modulus(flow, temperature + step)
-    s_hot = _thermal_factor(flow, rate, temperature + step, mu_hot)[0]
+    s_hot = _evolving(flow, rate, temperature + step, mu_hot)[0]
+    barrier_hot = _intrinsic(flow, rate, temperature + step, mu_hot)[0]
     slope_temperature = hardening_variable * (s_hot * mu_hot / flow.mu_0 - s * ratio) / step
     return (
-        flow.sigma_a + s * hardening_variable * ratio,
+        flow.sigma_a + s * hardening_variable * ratio + barrier * ratio,
         s * ratio,
         0.0,
-        s_rate * hardening_variable * ratio,
-        slope_temperature,
+        s_rate * hardening_variable * ratio + barrier_rate * ratio,
+        slope_temperature + (barrier_hot * mu_hot / flow.mu_0 - barrier * ratio) / step,
     )
 
 

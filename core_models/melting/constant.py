@@ -17,5 +17,5 @@ class ConstantMelting(NamedTuple):
 
 
 @melting_temperature.register(ConstantMelting)
-def _(melting):
+def _(melting, density_ratio=1.0, pressure=0.0):
     return melting.melting_temperature

@@ -2,6 +2,7 @@
 
 from core_models.schema.entries import (
     ANY,
+    ANY_NUMBER_OF,
     NOT_NEGATIVE,
     POSITIVE,
     Inert,
@@ -27,6 +28,7 @@ from core_models.schema.slots import SLOTS, UPDATE
 
 __all__ = [
     "ANY",
+    "ANY_NUMBER_OF",
     "BODY",
     "CONSTANTS",
     "CYLINDER",

@@ -28,11 +28,12 @@ ANY = Interval()
 POSITIVE = Interval(low=0.0, low_open=True)
 NOT_NEGATIVE = Interval(low=0.0)
 ZERO = Interval(0.0, 0.0)
+ANY_NUMBER_OF = 0  # size of a vector that may have any length from 2 on
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """One tag that holds a number (or, with `size` > 1, a vector of numbers).
+    """One tag that holds a number (or, with another `size` than 1, a vector of so many numbers).
 
     `feeds` names the field of the law that it becomes, for a constant of the card the Material's `field`
     or `slot.field`; empty means the tag's own name. A tag that is left out takes `default`, else the value of
@@ -68,7 +69,9 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Inert:
-    """A tag of an effect that is not offered: accepted where its value means "off", else refused."""
+    """A tag of an effect that is not offered, or that no formula uses: accepted where its value means "off" or says
+    nothing, else refused.
+    """
 
     tag: str
     range: Interval
@@ -79,7 +82,8 @@ class Inert:
 class ModelSchema:
     """One law: the type names that select it (the first is the one written), its class and its tags.
 
-    `ascending` names pairs of tags of which the first must be smaller than the second.
+    `ascending` names pairs of tags of which the first must be smaller than the second. What else the numbers must
+    fulfil together the law itself says, by a method `fault()` that returns a sentence, empty for good numbers.
     """
 
     types: tuple[str, ...]

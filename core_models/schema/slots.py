@@ -1,26 +1,14 @@
-"""The card schema of the slots other than flow: which types fill them, and with which tags."""
+"""The card schema of all slots: which types fill them, and with which tags."""
 
-from core_models.damage.johnson_cook import JohnsonCookDamage
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
-from core_models.erosion.no_shear import AllowNoShear
-from core_models.erosion.no_tension import AllowNoTension
-from core_models.erosion.zero_stress import ZeroStress
 from core_models.heating.taylor_quinney import TaylorQuinney
-from core_models.schema.entries import (
-    ANY,
-    NOT_NEGATIVE,
-    POSITIVE,
-    ZERO,
-    Inert,
-    Interval,
-    ModelSchema,
-    Parameter,
-    SlotSchema,
-)
+from core_models.schema.damage import DAMAGE, EROSION
+from core_models.schema.entries import NOT_NEGATIVE, POSITIVE, ZERO, Inert, ModelSchema, Parameter, SlotSchema
 from core_models.schema.flow import FLOW
 from core_models.schema.quantities import HEATED_FRACTION, TOLERANCE
+from core_models.schema.state_functions import MELTING, SHEAR_MODULUS, SPECIFIC_HEAT
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
@@ -103,83 +91,22 @@ HEATING = SlotSchema(
     plain=("none",),
 )
 
-DAMAGE = SlotSchema(
-    slot="damage",
-    tags=("damage_model",),
-    places=("constitutive_model", "material"),
+KINEMATIC_HARDENING = SlotSchema(
+    slot="kinematic_hardening",
+    tags=("kinematic_hardening_model",),
+    places=("constitutive_model",),
     absent="none",
-    models=(
-        ModelSchema(
-            types=("johnson_cook",),
-            law=JohnsonCookDamage,
-            help="failure strain of triaxiality, rate and temperature; acts only with an erosion algorithm",
-            parameters=(
-                *(Parameter(f"D{i}", "-", ANY, f"failure strain constant {i}") for i in range(1, 6)),
-                Parameter("T_r", "K", NOT_NEGATIVE, "temperature where T* is 0", fallback="room_temp"),
-                Parameter("T_m", "K", POSITIVE, "temperature where T* is 1", fallback="melt_temp"),
-            ),
-            inert=(
-                Inert("initial_mean_scalar_damage", ZERO, "initial damage"),
-                Inert("initial_std_scalar_damage", ZERO, "scattered initial damage"),
-            ),
-            ascending=(("T_r", "T_m"),),
-        ),
-    ),
     plain=("none",),
-    unavailable=("hancock_mackenzie", "Threshold", "ThresholdVar", "Brittle"),
+    unavailable=("prager_hardening", "armstrong_frederick_hardening", "ziegler_hardening"),
 )
 
-EROSION = SlotSchema(
-    slot="erosion",
-    tags=("erosion",),
-    places=("material", "constitutive_model"),
+STABILITY = SlotSchema(
+    slot="stability",
+    tags=("stability_check",),
+    places=("constitutive_model",),
     absent="none",
-    models=tuple(
-        ModelSchema(
-            types=(name,),
-            law=law,
-            help=help,
-            inert=(Inert("char_time", Interval(0.0, 1e-90), "stress that decays in time"),),
-        )
-        for name, law, help in (
-            ("ZeroStress", ZeroStress, "a point whose damage has reached 1 carries no stress"),
-            ("AllowNoTension", AllowNoTension, "such a point carries pressure in compression only"),
-            ("AllowNoShear", AllowNoShear, "such a point carries pressure only"),
-        )
-    ),
     plain=("none",),
-    unavailable=("PreserveStress", "RemoveMass"),
-    attribute="algorithm",
-)
-
-
-def _constant_only(slot: str, tag: str, plain: str, *unavailable: str) -> SlotSchema:
-    return SlotSchema(slot, (tag,), ("constitutive_model",), plain, plain=(plain,), unavailable=unavailable)
-
-
-SHEAR_MODULUS = _constant_only(
-    "shear_modulus",
-    "shear_modulus_model",
-    "constant_shear",
-    "mts_shear",
-    "np_shear",
-    "ptw_shear",
-    "scg_shear",
-)
-MELTING = _constant_only("melting", "melting_temp_model", "constant_Tm", "linear_Tm", "scg_Tm", "bps_Tm")
-SPECIFIC_HEAT = _constant_only(
-    "specific_heat", "specific_heat_model", "constant_Cp", "copper_Cp", "steel_Cp", "cubic_Cp"
-)
-KINEMATIC_HARDENING = _constant_only(
-    "kinematic_hardening",
-    "kinematic_hardening_model",
-    "none",
-    "prager_hardening",
-    "armstrong_frederick_hardening",
-    "ziegler_hardening",
-)
-STABILITY = _constant_only(
-    "stability", "stability_check", "none", "drucker", "becker", "drucker_becker", "acoustic"
+    unavailable=("drucker", "becker", "drucker_becker", "acoustic"),
 )
 
 SLOTS = (

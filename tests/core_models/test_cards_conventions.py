@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from core_models.cards import read_material
-from core_models.errors import CardError, MaterialError, UnsupportedError
+from core_models.errors import CardError, MaterialError
 from core_models.heating.taylor_quinney import TaylorQuinney
 
 CARD = (Path(__file__).parent / "good_card.xml").read_text()
@@ -111,10 +111,10 @@ def test_modern_mts_card_keeps_one_modulus(read_card):
     assert (flow.sigma_a, flow.g_0es, flow.theta_IV) == (40e6, 0.2625, 0.0)
 
 
-def test_mts_barriers_that_are_not_there_are_refused(refused):
-    """An intrinsic barrier is refused by name, not left out."""
+def test_mts_barrier_needs_all_its_numbers(refused):
+    """Half an intrinsic barrier is refused, not left out."""
     hot = MTS.replace("<sigma_i>0<", "<sigma_i>1341e6<")
-    assert "intrinsic barrier" in refused(UnsupportedError, 15, (JOHNSON_COOK, hot))
+    assert "a sigma_i needs g_0i" in refused(CardError, 10, (JOHNSON_COOK, hot))
 
 
 def test_old_and_new_name_of_one_tag_are_a_duplicate(refused):

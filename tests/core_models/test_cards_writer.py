@@ -21,6 +21,7 @@ from core_models.eos.neo_hookean import NeoHookean
 from core_models.errors import CardError, MaterialError, OutputError
 from core_models.flow.johnson_cook import JohnsonCook
 from core_models.flow.linear import LinearHardening
+from core_models.flow.tabulated import TabulatedHardening
 from core_models.material import Material
 from core_models.melting.constant import ConstantMelting
 from core_models.schema import SLOTS
@@ -53,10 +54,24 @@ def test_shipped_material_comes_back_equal(name, tmp_path):
     assert "include" not in (tmp_path / "other.xml").read_text()
 
 
+LIMITS = {
+    "T_r": (0.0, 300.0),
+    "T_m": (400.0, 900.0),
+    "sigma_0": (0.0, 300.0),
+    "Y_max": (400.0, 1e3),
+    "initial_mean_scalar_damage": (0.0, 0.3),
+    "critical_scalar_damage": (0.4, 1e3),
+    "initial_porosity": (0.0, 0.3),
+    "critical_porosity": (0.4, 1.0),
+    "T_m0": (900.0, 4e3),
+}
+"""Ranges in which numbers that depend on each other are drawn."""
+
+
 def numbers(parameter):
     """Numbers of a parameter's range, such that a Material accepts most of them together."""
     low, high, low_open, high_open = parameter.range
-    bottom, top = {"T_r": (0.0, 300.0), "T_m": (400.0, 900.0)}.get(parameter.tag, (-1e3, 1e3))
+    bottom, top = LIMITS.get(parameter.tag, (-1e3, 1e3))
     return st.floats(
         max(low, bottom),
         min(high, top),
@@ -66,12 +81,25 @@ def numbers(parameter):
     )
 
 
+@st.composite
+def tables(draw):
+    """Tables of flow stress over strain."""
+    strains = sorted(draw(st.sets(st.floats(1e-6, 10.0), min_size=1, max_size=5)))
+    stresses = draw(st.lists(st.floats(1.0, 1e3), min_size=len(strains) + 1, max_size=len(strains) + 1))
+    return TabulatedHardening((0.0, *strains), tuple(stresses))
+
+
+def built(model):
+    """Laws of a model."""
+    if model.law is TabulatedHardening:
+        return tables()
+    return st.builds(model.law, **{p.field: numbers(p) for p in model.parameters})
+
+
 def laws(slot):
     """Laws of a slot."""
     models = next(s for s in SLOTS if s.slot == slot).models
-    return st.one_of(
-        *(st.builds(model.law, **{p.field: numbers(p) for p in model.parameters}) for model in models)
-    )
+    return st.one_of(*(built(model) for model in models)).filter(lambda law: not getattr(law, "fault", str)())
 
 
 @st.composite
@@ -83,7 +111,8 @@ def materials(draw):
     eos = draw(laws("eos"))
     if isinstance(eos, MieGruneisen):
         eos = eos._replace(reference_density=density, C_0=(bulk_modulus / density) ** 0.5)
-    specific_heat = draw(st.none() | st.builds(ConstantSpecificHeat, st.floats(1.0, 1e4)))
+    constant_heat = st.builds(ConstantSpecificHeat, st.floats(1.0, 1e4))
+    specific_heat = draw(st.none() | constant_heat | laws("specific_heat"))
     damage = None if flow is None else draw(st.none() | laws("damage"))
     return {
         "name": draw(st.text(st.characters(codec="utf-8", exclude_categories=["C"]), min_size=1, max_size=8)),
@@ -95,7 +124,7 @@ def materials(draw):
         "yield_condition": None if flow is None else VonMises(),
         "damage": damage,
         "erosion": None if damage is None else draw(st.none() | laws("erosion")),
-        "melting": draw(st.none() | st.builds(ConstantMelting, st.floats(900.0, 4e3))),
+        "melting": draw(st.none() | st.builds(ConstantMelting, st.floats(900.0, 4e3)) | laws("melting")),
         "specific_heat": specific_heat,
         "heating": None if flow is None or specific_heat is None else draw(st.none() | laws("heating")),
         "room_temperature": draw(st.floats(1.0, 800.0)),

@@ -1,0 +1,109 @@
+"""The card schema of damage and erosion."""
+
+from core_models.damage.hancock_mackenzie import HancockMackenzieDamage
+from core_models.damage.johnson_cook import JohnsonCookDamage
+from core_models.damage.sandia import SandiaDamage
+from core_models.erosion.no_shear import AllowNoShear
+from core_models.erosion.no_tension import AllowNoTension
+from core_models.erosion.zero_stress import ZeroStress
+from core_models.schema.entries import (
+    ANY,
+    NOT_NEGATIVE,
+    POSITIVE,
+    ZERO,
+    Inert,
+    Interval,
+    ModelSchema,
+    Parameter,
+    SlotSchema,
+)
+
+SCATTER = Inert("initial_std_scalar_damage", ZERO, "scattered initial damage")
+FRACTION = Interval(0.0, 1.0, low_open=True, high_open=True)
+
+JOHNSON_COOK_DAMAGE = ModelSchema(
+    types=("johnson_cook",),
+    law=JohnsonCookDamage,
+    help="failure strain of triaxiality, rate and temperature; acts only with an erosion algorithm",
+    parameters=(
+        *(Parameter(f"D{i}", "-", ANY, f"failure strain constant {i}") for i in range(1, 6)),
+        Parameter("T_r", "K", NOT_NEGATIVE, "temperature where T* is 0", fallback="room_temp"),
+        Parameter("T_m", "K", POSITIVE, "temperature where T* is 1", fallback="melt_temp"),
+    ),
+    inert=(Inert("initial_mean_scalar_damage", ZERO, "initial damage"), SCATTER),
+    ascending=(("T_r", "T_m"),),
+)
+
+HANCOCK_MACKENZIE = ModelSchema(
+    types=("hancock_mackenzie",),
+    law=HancockMackenzieDamage,
+    help="growth of voids with the exponential of the triaxiality; acts only with an erosion algorithm",
+    parameters=(
+        Parameter(
+            "initial_mean_scalar_damage",
+            "-",
+            NOT_NEGATIVE,
+            "damage before any strain",
+            feeds="initial_damage",
+            default=0.0,
+        ),
+        Parameter(
+            "critical_scalar_damage",
+            "-",
+            POSITIVE,
+            "damage at failure",
+            feeds="critical_damage",
+            default=1.0,
+        ),
+    ),
+    inert=(SCATTER,),
+    ascending=(("initial_mean_scalar_damage", "critical_scalar_damage"),),
+)
+
+SANDIA = ModelSchema(
+    types=("sandia", "cocks_ashby"),
+    law=SandiaDamage,
+    help="growth of voids after Bammann, Chiesa and Johnson; acts only with an erosion algorithm",
+    parameters=(
+        Parameter("m", "-", Interval(low=0.5, low_open=True), "exponent of the viscous matrix"),
+        Parameter(
+            "initial_porosity", "-", FRACTION, "voids before any strain", aliases=("initial_mean_porosity",)
+        ),
+        Parameter("critical_porosity", "-", FRACTION, "voids at failure"),
+    ),
+    inert=(Inert("initial_std_porosity", ZERO, "scattered initial porosity"),),
+    ascending=(("initial_porosity", "critical_porosity"),),
+)
+
+DAMAGE = SlotSchema(
+    slot="damage",
+    tags=("damage_model",),
+    places=("constitutive_model", "material"),
+    absent="none",
+    models=(JOHNSON_COOK_DAMAGE, HANCOCK_MACKENZIE, SANDIA),
+    plain=("none",),
+    unavailable=("Threshold", "ThresholdVar", "Brittle"),
+)
+
+EROSION = SlotSchema(
+    slot="erosion",
+    tags=("erosion",),
+    places=("material", "constitutive_model"),
+    absent="none",
+    models=tuple(
+        ModelSchema(
+            types=(name,),
+            law=law,
+            help=help,
+            inert=(Inert("char_time", Interval(0.0, 1e-90), "stress that decays in time"),),
+        )
+        for name, law, help in (
+            ("ZeroStress", ZeroStress, "a point whose damage has reached 1 carries no stress"),
+            ("AllowNoTension", AllowNoTension, "such a point carries pressure in compression only"),
+            ("AllowNoShear", AllowNoShear, "such a point carries pressure only"),
+        )
+    ),
+    plain=("none",),
+    unavailable=("PreserveStress", "RemoveMass"),
+    attribute="algorithm",
+)
