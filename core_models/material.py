@@ -191,7 +191,7 @@ def _complaints(m: Material):
         f"melt_temp {melting!r} K must lie above room_temp {m.room_temperature!r} K",
     )
     for law in (m.flow, m.damage):
-        if hasattr(law, "T_m"):
+        if hasattr(law, "T_m") and hasattr(law, "T_r"):
             yield (
                 not law.T_m > law.T_r,
                 f"{type(law).__name__}: melting temperature T_m = {law.T_m!r} K must lie above T_r = {law.T_r!r} K",
