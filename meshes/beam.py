@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from core_models.errors import MeshError
 from meshes.block import block
 from meshes.kinds import find_kind
 from meshes.mesh import Mesh
@@ -21,7 +22,9 @@ def beam(
     check_length("beam", "height", height)
     sides = [height]
     if find_kind(kind).dimension == 3:
-        check_length("beam", "width", height if width is None else width)
         sides = [height if width is None else width, height]
+        check_length("beam", "width", sides[0])
+    elif width is not None:
+        raise MeshError(f"beam: width is for 3-D elements; leave it out for {kind}")
     lower, upper = [-0.5 * side for side in sides], [0.5 * side for side in sides]
     return block([0.0, *lower], [length, *upper], counts, kind)

@@ -1,12 +1,14 @@
-"""Mesh and point files in and out: gmsh's .msh and VTK's .vtu and .pvd. The only module that knows meshio.
+"""Mesh and point files in and out: gmsh's .msh, Abaqus's .inp, VTK's .vtu and .pvd. The only module that knows meshio.
 
-How a file names the boundaries foot, side, rear and axis:
-  .msh  by physical groups of dimension 1 (gmsh: Physical Curve("foot") = {...};);
-  .vtu  by line cells, and per boundary one cell array of its name that is 1 on its lines and 0 elsewhere.
+How a file names boundaries:
+  .msh  by physical groups of facets (gmsh: Physical Curve("foot") = {...}; in 3-D Physical Surface);
+  .inp  by surfaces, by sets of elements that are facets, or by sets of nodes;
+  .vtu  by facets among the cells, and per boundary one cell array of its name that is 1 on them and 0 elsewhere.
 """
 
 import io
 import logging
+import re
 from collections.abc import Iterable, Mapping
 from contextlib import redirect_stderr
 from difflib import get_close_matches
@@ -18,7 +20,12 @@ import numpy as np
 
 from core_models.atomic import replacing
 from core_models.errors import MeshError
+from meshes.abaqus import read_abaqus
+from meshes.kinds import KINDS
 from meshes.mesh import Mesh
+from meshes.mesh_text import inp_text, msh_text
+from meshes.parsed import Block, Named, Parsed, to_mesh
+from meshes.seams import check_seams
 from meshes.xml_guard import refuse_document_type
 
 if TYPE_CHECKING:
@@ -27,91 +34,82 @@ if TYPE_CHECKING:
 LARGEST_FILE = 256 * 2**20
 """Bytes; a larger mesh file is refused before it is parsed."""
 
-SUFFIXES = (".msh", ".vtu")
+SUFFIXES = (".msh", ".inp", ".vtu")
 """Mesh file formats, by the end of the file's name."""
 
-IN_PLANE = 1e-9
-"""Largest third coordinate of a plane mesh, as a part of the largest coordinate."""
+_OUR_NAMES = {"line": "line2", "line3": "line3"} | {kind.meshio: kind.name for kind in KINDS.values()}
+_THEIR_NAMES = {ours: theirs for theirs, ours in _OUR_NAMES.items()}
+_DOMAINS = {(3, 2): "triangle", (4, 2): "quad", (4, 3): "tetra", (8, 3): "hexahedron"}
 
 logger = logging.getLogger(__name__)
 
 
 def read_mesh(path: Path | str) -> Mesh:
-    """Read an axisymmetric mesh of quads with named boundaries; r is x, z is y, lengths in metres.
+    """Read a mesh of one kind of element with its named boundaries; coordinates in metres, 2-D in x and y.
 
-    Nodes that no quad uses are left out; elements keep the file's order.
-    Raises MeshError, naming the file: not there, too large, truncated or not a mesh; cells other than
-    4-node quads and 2-node lines; out of the plane; and whatever Mesh refuses.
+    Nodes that no element uses are left out; elements keep the file's order.
+    Raises MeshError, naming the file: not there, too large, truncated or not a mesh; elements of several or unknown
+    kinds; 2-D elements out of the plane; facets that lie on each other without being merged; and what Mesh refuses.
     """
-    path = Path(path)
-    parsed = _parse(path)
-    cells = parsed.cells_dict
-    for kind in cells:
-        if kind not in ("quad", "line", "vertex"):
-            raise MeshError(
-                f"{path}: holds cells of type {kind}; mesh with 4-node quads only "
-                "(gmsh: Mesh.RecombineAll = 1, Mesh.ElementOrder = 1)"
-            )
-    if "quad" not in cells:
-        raise MeshError(f"{path}: holds no quads; export the surface too (gmsh: Physical Surface)")
-    points = _plane(path, parsed.points)
-    used, quads = np.unique(cells["quad"], return_inverse=True)
-    new_number = np.full(len(points), -1)
-    new_number[used] = np.arange(len(used))
-    boundaries = {name: new_number[pairs] for name, pairs in _named_lines(path, parsed).items()}
-    return Mesh(points[used], "quad4", quads.reshape(-1, 4), boundaries, source=str(path))
-
-
-def write_mesh(path: Path | str, mesh: Mesh) -> None:
-    """Write a mesh with its boundaries, as .msh (format 2.2, text) or .vtu; read_mesh gives it back equal.
-
-    Raises MeshError for another suffix, OutputError when the file cannot be written.
-    """
-    import meshio
-
     path = Path(path)
     suffix = _suffix(path)
-    lines = np.concatenate(list(mesh.boundaries.values()))
-    number = np.repeat(
-        np.arange(len(mesh.boundaries)) + 1, [len(pairs) for pairs in mesh.boundaries.values()]
-    )
-    numbers = [number.astype(np.int32), np.zeros(len(mesh.cells), np.int32)]
-    file = meshio.Mesh(_spatial(mesh.points), [("line", lines), ("quad", mesh.cells)])
-    if suffix == ".vtu":
-        file.cell_data = {
-            name: [(block == i).astype(np.int32) for block in numbers]
-            for i, name in enumerate(mesh.boundaries, 1)
-        }
-        with replacing(path) as temporary:
-            meshio.vtu.write(temporary, file)
-        return
-    body = len(mesh.boundaries) + 1
-    numbers[1] += body
-    file.cell_data = {"gmsh:physical": numbers, "gmsh:geometrical": numbers}
-    file.field_data = {name: np.array([i, 1]) for i, name in enumerate(mesh.boundaries, 1)}
-    file.field_data["body"] = np.array([body, 2])
+    if not path.is_file():
+        raise MeshError(
+            f"{path}: no such file; give the path of a {', '.join(SUFFIXES[:-1])} or {SUFFIXES[-1]} file"
+        )
+    if path.stat().st_size > LARGEST_FILE:
+        raise MeshError(f"{path}: is larger than {LARGEST_FILE >> 20} MiB; give a coarser mesh")
+    mesh = to_mesh(path, read_abaqus(path) if suffix == ".inp" else _by_meshio(path, suffix))
+    check_seams(mesh)
+    return mesh
+
+
+def write_mesh(path: Path | str, mesh: Mesh, msh_version: str = "4.1") -> None:
+    """Write a mesh with its boundaries as .msh, .inp or .vtu; read_mesh gives it back equal.
+
+    msh_version : '4.1' or '2.2', both as text. Of a kind for which Abaqus has no plane element (quad9) an .inp file
+    holds membranes (M3D9). Raises MeshError for another suffix or version, or a boundary name that a file cannot
+    hold, OutputError when the file cannot be written.
+    """
+    path = Path(path)
+    suffix = _suffix(path)
+    if msh_version not in ("4.1", "2.2"):
+        raise MeshError(f"{path}: unknown format {msh_version} of .msh files; give '4.1' or '2.2'")
+    for name in mesh.boundaries:
+        if not re.fullmatch(r"[^\s\"',=*\\]+( [^\s\"',=*\\]+)*", name):
+            raise MeshError(
+                f"{path}: the boundary name {name!r} cannot be written; use letters, digits and _"
+            )
     with replacing(path) as temporary:
-        meshio.gmsh.write(temporary, file, fmt_version="2.2", binary=False)
+        if suffix == ".inp":
+            temporary.write_text(inp_text(mesh), encoding="utf-8")
+        elif suffix == ".msh" and msh_version == "4.1":
+            temporary.write_text(msh_text(mesh), encoding="utf-8")
+        else:
+            _write_by_meshio(temporary, suffix, mesh)
 
 
-def write_polygons_vtu(path: Path | str, polygons: np.ndarray, cell_data: Mapping[str, np.ndarray]) -> None:
-    """Write separate quadrilaterals, such as the domains of material points, with their data for ParaView.
+def write_domains_vtu(path: Path | str, domains: np.ndarray, cell_data: Mapping[str, np.ndarray]) -> None:
+    """Write separate cells, such as the domains of material points, with their data for ParaView.
 
-    Parameters: polygons (n, 4, 2), corners r, z [m]; cell_data: arrays of n rows, where tensors (n, 3, 3)
-    become 9 columns.
-    Raises MeshError when an array has another number of rows, OutputError when the file cannot be written.
+    Parameters: domains [m], corners in VTK's order: (n, 4, 2) quads or (n, 3, 2) triangles in the plane, (n, 8, 3)
+    hexahedra or (n, 4, 3) tetrahedra; cell_data: arrays of n rows, where tensors (n, 3, 3) become 9 columns.
+    Raises MeshError for another shape or number of rows, OutputError when the file cannot be written.
     """
     import meshio
 
-    count = len(polygons)
+    domains = np.asarray(domains)
+    if domains.shape[1:] not in _DOMAINS:
+        raise MeshError(
+            f"{path}: domains have the shape {domains.shape}; give (n, 4, 2), (n, 3, 2), (n, 8, 3) or (n, 4, 3)"
+        )
+    count, corners, _ = domains.shape
     for name, values in cell_data.items():
         if len(values) != count:
-            raise MeshError(
-                f"{path}: '{name}' has {len(values)} rows for {count} polygons; give one row each"
-            )
+            raise MeshError(f"{path}: '{name}' has {len(values)} rows for {count} domains; give one row each")
     columns = {name: [_vtk_column(np.asarray(values))] for name, values in cell_data.items()}
-    cells = [("quad", np.arange(4 * count).reshape(count, 4))]
-    file = meshio.Mesh(_spatial(np.reshape(polygons, (-1, 2))), cells, cell_data=columns)
+    cells = [(_DOMAINS[domains.shape[1:]], np.arange(corners * count).reshape(count, corners))]
+    file = meshio.Mesh(_spatial(domains.reshape(-1, domains.shape[2])), cells, cell_data=columns)
     with replacing(path) as temporary:
         meshio.vtu.write(temporary, file)
 
@@ -130,13 +128,8 @@ def write_pvd(path: Path | str, frames: Iterable[tuple[float, str]]) -> None:
         )
 
 
-def _parse(path: Path) -> "meshio.Mesh":
+def _by_meshio(path: Path, suffix: str) -> Parsed:
     """Have meshio read a file; whatever goes wrong becomes a MeshError that names the file."""
-    suffix = _suffix(path)
-    if not path.is_file():
-        raise MeshError(f"{path}: no such file; give the path of a {' or '.join(SUFFIXES)} file")
-    if path.stat().st_size > LARGEST_FILE:
-        raise MeshError(f"{path}: is larger than {LARGEST_FILE >> 20} MiB; give a coarser mesh")
     if suffix == ".vtu":
         refuse_document_type(path)
     import meshio
@@ -145,7 +138,10 @@ def _parse(path: Path) -> "meshio.Mesh":
     remarks = io.StringIO()
     try:
         with redirect_stderr(remarks):
-            return read(str(path))
+            file = read(str(path))
+            blocks = [
+                Block(_OUR_NAMES.get(b.type, b.type), np.asarray(b.data, dtype=np.int64)) for b in file.cells
+            ]
     except Exception as error:
         why = " ".join(str(error).split()) or type(error).__name__
         raise MeshError(
@@ -155,6 +151,65 @@ def _parse(path: Path) -> "meshio.Mesh":
     finally:
         if remarks.getvalue():
             logger.warning("%s: %s", path, " ".join(remarks.getvalue().split()))
+    groups = _flagged(file) if suffix == ".vtu" else _physical(file)
+    return Parsed(np.asarray(file.points, dtype=float), blocks, groups)
+
+
+def _physical(file: "meshio.Mesh") -> dict[str, Named]:
+    """The elements of each named physical group."""
+    numbers = file.cell_data.get("gmsh:physical")
+    groups = {}
+    for name, (tag, dimension) in file.field_data.items():
+        rows = []
+        for i, block in enumerate(file.cells):
+            if name in file.cell_sets:
+                inside = np.asarray(file.cell_sets[name][i], dtype=np.int64)
+            else:
+                inside = (
+                    np.flatnonzero(np.asarray(numbers[i]) == tag)
+                    if numbers and block.dim == dimension
+                    else []
+                )
+            rows += [(i, row) for row in inside]
+        groups[name] = Named(elements=np.array(rows, dtype=np.int64).reshape(-1, 2))
+    return groups
+
+
+def _flagged(file: "meshio.Mesh") -> dict[str, Named]:
+    """The facets of each cell array that is 1 on some of them and 0 elsewhere."""
+    dimension = max((block.dim for block in file.cells), default=0)
+    groups = {}
+    for name, parts in file.cell_data.items():
+        flags = [np.asarray(part) for part in parts]
+        if any(part.ndim != 1 or not np.isin(part, (0, 1)).all() for part in flags):
+            continue
+        if any(part.any() for part, block in zip(flags, file.cells, strict=True) if block.dim == dimension):
+            continue
+        rows = [(i, row) for i, part in enumerate(flags) for row in np.flatnonzero(part)]
+        groups[name] = Named(elements=np.array(rows, dtype=np.int64).reshape(-1, 2))
+    return groups
+
+
+def _write_by_meshio(path: Path, suffix: str, mesh: Mesh) -> None:
+    """Write a .vtu file, or a .msh file of format 2.2: the facets, boundary by boundary, then the elements."""
+    import meshio
+
+    kind = KINDS[mesh.kind]
+    blocks = [(_THEIR_NAMES[kind.facet], nodes) for nodes in mesh.boundaries.values()]
+    blocks.append((kind.meshio, mesh.cells))
+    file = meshio.Mesh(_spatial(mesh.points), blocks)
+    if suffix == ".vtu":
+        file.cell_data = {
+            name: [np.full(len(nodes), i == j, np.int32) for j, (_, nodes) in enumerate(blocks)]
+            for i, name in enumerate(mesh.boundaries)
+        }
+        meshio.vtu.write(path, file)
+        return
+    numbers = [np.full(len(nodes), i, np.int32) for i, (_, nodes) in enumerate(blocks, 1)]
+    file.cell_data = {"gmsh:physical": numbers, "gmsh:geometrical": numbers}
+    file.field_data = {name: np.array([i, kind.dimension - 1]) for i, name in enumerate(mesh.boundaries, 1)}
+    file.field_data["body"] = np.array([len(blocks), kind.dimension])
+    meshio.gmsh.write(path, file, fmt_version="2.2", binary=False)
 
 
 def _suffix(path: Path) -> str:
@@ -166,30 +221,9 @@ def _suffix(path: Path) -> str:
     return suffix
 
 
-def _named_lines(path: Path, parsed: "meshio.Mesh") -> dict[str, np.ndarray]:
-    """Node pairs of each named group of lines in a file."""
-    lines = parsed.cells_dict.get("line", np.empty((0, 2), dtype=np.int64))
-    data = {name: blocks["line"] for name, blocks in parsed.cell_data_dict.items() if "line" in blocks}
-    if _suffix(path) == ".vtu":
-        return {name: lines[flags != 0] for name, flags in data.items() if flags.ndim == 1 and flags.any()}
-    number = data.get("gmsh:physical", np.zeros(len(lines)))
-    return {
-        name: lines[number == tag] for name, (tag, dimension) in parsed.field_data.items() if dimension == 1
-    }
-
-
-def _plane(path: Path, points: np.ndarray) -> np.ndarray:
-    """The first two coordinates; raises MeshError when the third is not zero."""
-    if points.shape[1] == 3 and np.abs(points[:, 2]).max() > IN_PLANE * np.abs(points).max():
-        raise MeshError(
-            f"{path}: does not lie in the plane of x = r and y = z; set every third coordinate to 0"
-        )
-    return points[:, :2]
-
-
 def _spatial(points: np.ndarray) -> np.ndarray:
-    """Points (n, 2) with a third coordinate of 0, which both formats need."""
-    return np.column_stack([points, np.zeros(len(points))])
+    """Points (n, 2 or 3) with three coordinates, which both formats need."""
+    return points if points.shape[1] == 3 else np.column_stack([points, np.zeros(len(points))])
 
 
 def _vtk_column(values: np.ndarray) -> np.ndarray:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from core_models.errors import MeshError
+from meshes.bodies import check_bodies_apart
 from meshes.boundaries import owned_facets
 from meshes.facets import find_facets, place
 from meshes.jacobians import smallest_scaled_jacobians
@@ -26,7 +27,7 @@ class Mesh:
     from outside, in 2-D with the body on the left and head to tail. They need not cover the whole rim, and may
     overlap. source : what error messages call the mesh.
     Raises MeshError: points that are not finite, node numbers out of range, nodes that no cell uses, inverted or
-    collapsed cells, cells that overlap at a facet, boundary facets of no cell or between two.
+    collapsed cells, cells that overlap at a facet, bodies that overlap, boundary facets of no cell or between two.
     """
 
     points: np.ndarray
@@ -45,6 +46,7 @@ class Mesh:
             _check_points(points, kind.dimension)
             cells = _checked_cells(points, self.kind, cells)
             facets = find_facets(self.kind, points, cells)
+            check_bodies_apart(points, self.kind, cells)
             owners = owned_facets(points, facets, len(kind.facets), self.boundaries)
         except MeshError as error:
             raise MeshError(f"{self.source}: {error}") from None

@@ -1,13 +1,24 @@
-"""Quality figures of a mesh: how far its elements are from even squares, and how large they are."""
+"""Quality figures of a mesh: how far its elements are from even ones, and how large they are."""
 
+from itertools import combinations
 from typing import NamedTuple
 
-from meshes.geometry import areas, edge_lengths, scaled_jacobians, volumes_of_revolution
+import numpy as np
+
+from meshes.jacobians import smallest_scaled_jacobians
+from meshes.kinds import KINDS
+from meshes.measure import measures, volumes_of_turn
 from meshes.mesh import Mesh
 
 
 class Quality(NamedTuple):
-    """Figures of a whole mesh; the scaled Jacobian is the sine of a corner's angle, 1 in a rectangle."""
+    """Figures of a whole mesh.
+
+    scaled_jacobian : least and largest over the elements of an element's worst: 1 in a square, cube or regular
+    simplex, <= 0 where it folds. aspect_ratio : longest edge by shortest of an element, >= 1. edge : lengths [m],
+    straight between corners. measure : areas of elements [m^2], in 3-D volumes [m^3]; total that of all. turn : volume
+    of the full turn about r = 0 [m^3], None in 3-D and for a body that reaches beyond the axis.
+    """
 
     elements: int
     nodes: int
@@ -17,23 +28,19 @@ class Quality(NamedTuple):
     max_aspect_ratio: float
     min_edge: float
     max_edge: float
-    min_area: float
-    max_area: float
-    area: float
-    volume: float
+    min_measure: float
+    max_measure: float
+    total: float
+    turn: float | None
 
 
 def quality(mesh: Mesh) -> Quality:
-    """Quality figures of a mesh.
-
-    The scaled Jacobian of an element is its worst corner's; its aspect ratio is its longest edge by its
-    shortest, >= 1. Edges in m, areas in the (r, z) plane in m^2, volume of the full turn in m^3.
-    """
-    corners = mesh.corners()
-    jacobians = scaled_jacobians(corners).min(axis=1)
-    edges = edge_lengths(corners)
-    aspect_ratios = edges.max(axis=1) / edges.min(axis=1)
-    element_areas = areas(corners)
+    """Quality figures of a mesh of any kind."""
+    jacobians = smallest_scaled_jacobians(mesh.kind, mesh.points, mesh.cells)
+    lengths = edge_lengths(mesh)
+    aspect_ratios = lengths.max(axis=1) / lengths.min(axis=1)
+    sizes = measures(mesh)
+    revolved = mesh.dimension == 2 and mesh.points[:, 0].min() >= 0.0
     return Quality(
         elements=len(mesh.cells),
         nodes=len(mesh.points),
@@ -41,10 +48,24 @@ def quality(mesh: Mesh) -> Quality:
         max_scaled_jacobian=float(jacobians.max()),
         min_aspect_ratio=float(aspect_ratios.min()),
         max_aspect_ratio=float(aspect_ratios.max()),
-        min_edge=float(edges.min()),
-        max_edge=float(edges.max()),
-        min_area=float(element_areas.min()),
-        max_area=float(element_areas.max()),
-        area=float(element_areas.sum()),
-        volume=float(volumes_of_revolution(corners).sum()),
+        min_edge=float(lengths.min()),
+        max_edge=float(lengths.max()),
+        min_measure=float(sizes.min()),
+        max_measure=float(sizes.max()),
+        total=float(sizes.sum()),
+        turn=float(volumes_of_turn(mesh).sum()) if revolved else None,
     )
+
+
+def edge_lengths(mesh: Mesh) -> np.ndarray:
+    """Lengths (m, e) [m] of the straight edges between the corners of the elements."""
+    corners = mesh.corners()
+    kind = KINDS[mesh.kind]
+    reference = kind.reference_nodes[: kind.corners]
+    pairs = [
+        (i, j)
+        for i, j in combinations(range(kind.corners), 2)
+        if kind.simplex or np.abs(reference[i] - reference[j]).sum() == 1.0
+    ]
+    i, j = np.array(pairs).T
+    return np.linalg.norm(corners[:, i] - corners[:, j], axis=2)

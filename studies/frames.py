@@ -30,11 +30,11 @@ class Frames(Observer):
             self._write(solver)
 
     def _write(self, solver) -> None:
-        from meshes.io import write_polygons_vtu, write_pvd
+        from meshes.io import write_domains_vtu, write_pvd
 
         self._next = (np.floor(solver.time / self._interval) + 1.0) * self._interval
         name = f"frames/frame-{len(self._written):04d}.vtu"
-        write_polygons_vtu(self._folder.file(name), solver.domains(), cell_data(solver))
+        write_domains_vtu(self._folder.file(name), solver.domains(), cell_data(solver))
         self._written.append((solver.time, name))
         write_pvd(self._folder.file("series.pvd"), self._written)
 

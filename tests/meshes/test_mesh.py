@@ -213,5 +213,5 @@ def test_quality_figures_of_a_known_mesh():
     figures = quality(Mesh(points, "quad4", np.array([[0, 1, 2, 3]]), {}))
     assert figures.min_scaled_jacobian == pytest.approx(np.sqrt(0.5))
     assert figures.max_aspect_ratio == pytest.approx(np.sqrt(2.0))
-    assert (figures.min_edge, figures.area) == pytest.approx((np.sqrt(2.0), 2.0))
-    assert figures.volume == pytest.approx(2 * np.pi * 0.5 * 2.0)
+    assert (figures.min_edge, figures.total) == pytest.approx((np.sqrt(2.0), 2.0))
+    assert figures.turn == pytest.approx(2 * np.pi * 0.5 * 2.0)

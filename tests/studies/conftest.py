@@ -10,7 +10,7 @@ import pytest
 from core_models.atomic import replacing
 from core_models.errors import RunFailure
 from core_models.points import Field
-from meshes.io import write_polygons_vtu
+from meshes.io import write_domains_vtu
 from studies.scene_reader import read_scene
 
 LENGTH, RADIUS, SPEED, DURATION = 32.4e-3, 3.2e-3, 227.0, 60e-6
@@ -131,6 +131,6 @@ def full_disk(monkeypatch):
         if path.name.endswith("0005.vtu"):
             with replacing(path):
                 raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-        write_polygons_vtu(path, polygons, cell_data)
+        write_domains_vtu(path, polygons, cell_data)
 
-    monkeypatch.setattr("meshes.io.write_polygons_vtu", refuse)
+    monkeypatch.setattr("meshes.io.write_domains_vtu", refuse)
