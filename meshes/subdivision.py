@@ -58,9 +58,7 @@ def _boxes(kind: str, abscissas: np.ndarray, weights: np.ndarray) -> Subdivision
     numbers = np.column_stack([axis.ravel(order="F") for axis in grid])
     box = KINDS[_brick(dimension)].reference_nodes
     corners = ends[numbers][:, None] + box * (ends[numbers + 1] - ends[numbers])[:, None]
-    return Subdivision(
-        abscissas[numbers], weights[numbers].prod(axis=1), corners, _faces(kind, corners)
-    )
+    return Subdivision(abscissas[numbers], weights[numbers].prod(axis=1), corners, _faces(kind, corners))
 
 
 def _simplices(kind: str) -> Subdivision:
@@ -96,7 +94,16 @@ def _corner_part(vertices: np.ndarray, vertex: int) -> np.ndarray:
     if np.linalg.det(sides) < 0.0:
         b, c = c, b
     return np.array(
-        [vertices[vertex], middle(a), middle(a, b), middle(b), middle(c), middle(a, c), middle(a, b, c), middle(b, c)]
+        [
+            vertices[vertex],
+            middle(a),
+            middle(a, b),
+            middle(b),
+            middle(c),
+            middle(a, c),
+            middle(a, b, c),
+            middle(b, c),
+        ]
     )
 
 

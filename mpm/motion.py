@@ -1,7 +1,9 @@
 """Motion of the grid: velocities from momenta, then forces, then damping."""
 
-from core_models.compilation import kernel
+from core_models.compilation import CHUNK, kernel
+from mpm.geometries import put_vector, stand
 from mpm.grid import FORCE, MASS, RECORD, VELOCITY, block_nodes
+from mpm.interpolation import half_size, spread
 
 BEFORE, AFTER, DAMPED = 0, 1, 2
 
@@ -48,3 +50,20 @@ def accelerate(first, last, geometry, grid, dt, damping, energies):
                 damped += 0.5 * damping * dt * mass * before * (before + v)
         energies[block, AFTER] = energy
         energies[block, DAMPED] = damped
+
+
+@kernel
+def advect(first, last, dt, moves, positions):
+    """Move the particles of chunks first ... last-1 with velocities `moves` (n, d) [m/s] for dt [s]."""
+    for p in range(first * CHUNK, min(last * CHUNK, positions.shape[0])):
+        for axis in range(positions.shape[1]):
+            positions[p, axis] += dt * moves[p, axis]
+
+
+@kernel
+def measure_spreads(first, last, geometry, shape, grid, positions, spreads):
+    """Second moments of the weights along the axes (n, d) [m^2] of the particles of chunks first ... last-1."""
+    for p in range(first * CHUNK, min(last * CHUNK, positions.shape[0])):
+        _, _, _, t = stand(geometry, shape, grid, positions, p)
+        d = grid.h * grid.h * spread(shape, t, half_size(shape, p, grid.over_h))
+        put_vector(geometry, spreads, p, d)

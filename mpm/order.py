@@ -41,25 +41,42 @@ def make_order(particles: int, grid: Grid) -> Order:
 
 
 @kernel
-def locate_particles(first, last, geometry, shape, grid, positions, order):
+def locate_particles(first, last, geometry, shape, grid, bounds, positions, order):
     """Find the home of the particles of chunks first ... last-1.
 
+    bounds : (d, 2) lowest and highest coordinates where particles may be [m].
     order.seen of a chunk becomes MOVED if one of them has another home than before, else SAME; or the number of a
-    particle that is outside the box.
+    particle that is out of bounds or outside the box.
     """
     low, blocks, keys = grid.low, grid.shape, order.keys
     for chunk in range(first, last):
         order.seen[chunk] = SAME
         for p in range(chunk * CHUNK, min((chunk + 1) * CHUNK, positions.shape[0])):
+            if not is_within(geometry, bounds, positions, p):
+                order.seen[chunk] = p
+                break
             i, j, k, _ = stand(geometry, shape, grid, positions, p)
             i, j, k = i - EDGE * low[0], j - EDGE * low[1], k - EDGE * low[2]
-            if not (is_inside(i, blocks[0]) and is_inside(j, blocks[1]) and is_inside_depth(geometry, k, blocks[2])):
+            if not (
+                is_inside(i, blocks[0])
+                and is_inside(j, blocks[1])
+                and is_inside_depth(geometry, k, blocks[2])
+            ):
                 order.seen[chunk] = p
                 break
             key = (int(i) >> 2) + blocks[0] * ((int(j) >> 2) + blocks[1] * (int(k) >> 2))
             if key != keys[p]:
                 keys[p] = key
                 order.seen[chunk] = MOVED
+
+
+@inside_kernel
+def is_within(geometry, bounds, positions, p):
+    """Whether a particle is within bounds; no for what is not a number."""
+    within = True
+    for axis in range(dimension_of(geometry)):
+        within = within and bounds[axis, 0] <= positions[p, axis] <= bounds[axis, 1]
+    return within
 
 
 @inside_kernel

@@ -1,5 +1,6 @@
 """Particles: where they start, the domain that each stands for, and the body's boundary as faces of domains."""
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
@@ -7,6 +8,7 @@ import numpy as np
 from core_models.errors import SceneError
 from core_models.geometry import Axisymmetric, Geometry
 from core_models.names import suggestion
+from meshes.facets import find_facets
 from meshes.kinds import KINDS
 from meshes.mesh import Mesh
 from meshes.shape_functions import shape_gradients, shape_values
@@ -68,7 +70,9 @@ def seed(mesh: Mesh, geometry: Geometry, seeding: str = GAUSS) -> Particles:
         areas = measures
     else:
         positions = _mapped(mesh, parts.corners.reshape(-1, mesh.dimension))
-        positions = positions.reshape(*positions.shape[:1], -1, parts.corners.shape[1], mesh.dimension).mean(axis=2)
+        positions = positions.reshape(*positions.shape[:1], -1, parts.corners.shape[1], mesh.dimension).mean(
+            axis=2
+        )
         areas, volumes = _measures(mesh, parts, geometry)
     positions = np.ascontiguousarray(positions.reshape(-1, mesh.dimension))
     return Particles(positions, volumes, areas, _faces(mesh, geometry, parts, positions))
@@ -110,27 +114,48 @@ def _measures(mesh: Mesh, parts: Subdivision, geometry: Geometry) -> tuple[np.nd
     return tuple(values.reshape(-1, len(rule)).sum(axis=1) for values in (areas, volumes))
 
 
+def rim_faces(
+    mesh: Mesh, geometry: Geometry, seeding: str, particles: Particles, mirrored: Iterable[str]
+) -> Faces:
+    """Faces of the particles' domains along the whole rim, named or not; named ones come first.
+
+    What lies on the axis or belongs to a `mirrored` boundary is inside the whole body, and not on its rim.
+    """
+    facets = find_facets(mesh.kind, mesh.points, mesh.cells)
+    per_cell = len(KINDS[mesh.kind].facets)
+    number_of = {name: mesh.owners(name) @ [per_cell, 1] for name in mesh.boundaries}
+    numbers = np.concatenate([*(number_of[name] for name in particles.faces), facets.rim()])
+    numbers = numbers[np.sort(np.unique(numbers, return_index=True)[1])]
+    for name in mirrored:
+        numbers = numbers[~np.isin(numbers, number_of[name])]
+    if isinstance(geometry, Axisymmetric):
+        numbers = numbers[(mesh.points[facets.nodes[numbers], 0] != 0.0).any(axis=1)]
+    owners = np.column_stack(np.divmod(numbers, per_cell))
+    return _faces_on(mesh, owners, parts_of(mesh, seeding), particles.positions)
+
+
 def _faces(mesh: Mesh, geometry: Geometry, parts: Subdivision, positions: np.ndarray) -> dict[str, Faces]:
-    faces = {}
-    for name in mesh.boundaries:
-        found = _faces_on(mesh, name, parts, positions)
-        if not (isinstance(geometry, Axisymmetric) and (mesh.points[mesh.boundaries[name], 0] == 0.0).all()):
-            faces[name] = found
-    return faces
+    """Faces along each boundary, but for those on the axis of a body of revolution."""
+    on_axis = (
+        mesh.points[:, 0] == 0.0 if isinstance(geometry, Axisymmetric) else np.zeros(len(mesh.points), bool)
+    )
+    return {
+        name: _faces_on(mesh, mesh.owners(name), parts, positions)
+        for name, nodes in mesh.boundaries.items()
+        if not on_axis[nodes].all()
+    }
 
 
-def _faces_on(mesh: Mesh, name: str, parts: Subdivision, positions: np.ndarray) -> Faces:
-    """Faces of the particles' domains on a boundary, in the boundary's order."""
-    cells, facets = mesh.owners(name).T
-    count = len(parts.faces[0])
+def _faces_on(mesh: Mesh, owners: np.ndarray, parts: Subdivision, positions: np.ndarray) -> Faces:
+    """Faces of the particles' domains on facets of elements: cell and local facet number (k, 2)."""
+    cells, facets = owners.T
     part = np.array([[face.part for face in facet] for facet in parts.faces])[facets]
     places = np.array([[parts.corners[f.part, list(f.corners)] for f in facet] for facet in parts.faces])
-    particles = cells[:, None] * len(parts.corners) + part
+    particles = (cells[:, None] * len(parts.corners) + part).ravel()
     corners = np.empty((len(cells), *places.shape[1:]))
     for facet in np.unique(facets):
         mine = facets == facet
         local = places[facet].reshape(-1, mesh.dimension)
         corners[mine] = _mapped(mesh, local, cells[mine]).reshape(-1, *places.shape[1:])
-    particles = particles.reshape(-1)
-    corners = corners.reshape(len(cells) * count, *places.shape[2:])
+    corners = corners.reshape(-1, *places.shape[2:])
     return Faces(particles, np.ascontiguousarray(corners - positions[particles][:, None]))

@@ -16,7 +16,12 @@ from mpm.interpolation import half_size, middle, moments, reach, slopes, weights
 from mpm.lanes import add_to, lanes, load, store
 
 WIDEST = EDGE + 3  # nodes along the edge of the largest tile
-WEIGHTS, SLOPES, MOMENTS, OFFSETS = 0, 16, 32, 48  # first number of each table; four numbers per node along an axis
+WEIGHTS, SLOPES, MOMENTS, OFFSETS = (
+    0,
+    16,
+    32,
+    48,
+)  # first number of each table; four numbers per node along an axis
 
 
 class Scratch(NamedTuple):

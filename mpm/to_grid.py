@@ -18,7 +18,17 @@ from mpm.geometries import column, depth_of, hoop_force, stand, vector
 from mpm.grid import FORCE, RECORD, block_corner
 from mpm.interpolation import reach
 from mpm.lanes import add_to, fused, lanes
-from mpm.tile import OFFSETS, SLOPES, WEIGHTS, add_tile, clear_tile, edge_of, place_in_tile, put_offsets, put_stencil
+from mpm.tile import (
+    OFFSETS,
+    SLOPES,
+    WEIGHTS,
+    add_tile,
+    clear_tile,
+    edge_of,
+    place_in_tile,
+    put_offsets,
+    put_stencil,
+)
 
 
 @kernel
@@ -54,9 +64,17 @@ def to_grid(
             spin_z = momentum_slope(affine, geometry, p, 2, mass)
             volume = -volumes[p] * volume_ratio[p]
             q = read(viscous, p, 0.0)
-            t_xx, t_yy, t_zz = volume * (stress[p, 0] - q), volume * (stress[p, 1] - q), volume * (stress[p, 2] - q)
+            t_xx, t_yy, t_zz = (
+                volume * (stress[p, 0] - q),
+                volume * (stress[p, 1] - q),
+                volume * (stress[p, 2] - q),
+            )
             t_xy, t_yz, t_zx = volume * stress[p, 3], volume * stress[p, 4], volume * stress[p, 5]
-            pull_x, pull_y, pull_z = lanes(t_xx, t_xy, t_zx, 0.0), lanes(t_xy, t_yy, t_yz, 0.0), lanes(t_zx, t_yz, t_zz, 0.0)
+            pull_x, pull_y, pull_z = (
+                lanes(t_xx, t_xy, t_zx, 0.0),
+                lanes(t_xy, t_yy, t_yz, 0.0),
+                lanes(t_zx, t_yz, t_zz, 0.0),
+            )
             load_ = force_on(forces, geometry, p) + hoop_force(geometry, positions, p, t_zz)
             for c in range(depth):
                 n_z, s_z = stencil[WEIGHTS + 4 * c + 2], stencil[SLOPES + 4 * c + 2]

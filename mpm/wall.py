@@ -117,7 +117,9 @@ def rub(grid, low, high, last, most):
 
 
 @kernel
-def measure_gaps(geometry, grid, positions, deformation_gradient, surface, corners, bilateral, touched, gaps, held):
+def measure_gaps(
+    geometry, grid, positions, deformation_gradient, surface, corners, bilateral, touched, gaps, held
+):
     """Height of the body's surface above the wall at each column of nodes [m]; FAR where it is far.
 
     surface : (faces,) particle of each boundary face. corners : (faces, 2 or 4, d) its corners relative to the
@@ -134,7 +136,17 @@ def measure_gaps(geometry, grid, positions, deformation_gradient, surface, corne
         p = surface[face]
         if positions[p, last] <= NEAR * grid.h:
             measure_face(
-                geometry, grid, positions, deformation_gradient, p, corners, face, bilateral, touched, gaps, held
+                geometry,
+                grid,
+                positions,
+                deformation_gradient,
+                p,
+                corners,
+                face,
+                bilateral,
+                touched,
+                gaps,
+                held,
             )
 
 
@@ -171,8 +183,12 @@ def column_position(grid, axis, column):
 @measure_face.register(Axisymmetric)
 @measure_face.register(PlaneStrain)
 def _(geometry, grid, positions, deformation_gradient, p, corners, face, bilateral, touched, gaps, held):
-    x_low, z_low = face_end(geometry, p, positions, deformation_gradient, corners[face, 0, 0], corners[face, 0, 1])
-    x_high, z_high = face_end(geometry, p, positions, deformation_gradient, corners[face, 1, 0], corners[face, 1, 1])
+    x_low, z_low = face_end(
+        geometry, p, positions, deformation_gradient, corners[face, 0, 0], corners[face, 0, 1]
+    )
+    x_high, z_high = face_end(
+        geometry, p, positions, deformation_gradient, corners[face, 1, 0], corners[face, 1, 1]
+    )
     if x_low > x_high:
         x_low, z_low, x_high, z_high = x_high, z_high, x_low, z_low
     slope = (z_high - z_low) / (x_high - x_low) if x_high > x_low else 0.0

@@ -56,4 +56,3 @@ def spread(shape, t, half):
 @generic
 def moments(shape, t, half):
     """Weight times distance to the node over D [1 / cell]: what turns nodal velocities into an affine velocity."""
-
