@@ -112,7 +112,7 @@ class Background:
     def give(self, dt: float, *particles) -> np.ndarray:
         """Bring deformation and velocity back; see `to_particles`, from `positions` on. Returns its sums."""
         self.threads.run_with(
-            to_particles, len(self.sums), self._scratch, self.geometry, self.shape, self.grid, self.order, dt, *particles,
-            self.sums,
+            to_particles, len(self.sums), self._scratch, self.geometry, self.shape, self.grid, self.order, dt,
+            *particles, self.sums,
         )  # fmt: skip
         return self.sums

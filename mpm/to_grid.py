@@ -84,7 +84,7 @@ def to_grid(
                     n_yz = n_y * n_z
                     moved = n_yz * fused(stencil[OFFSETS + 4 * b + 1], spin_y, at_z)
                     turned = n_yz * spin_x
-                    force = fused(s_y * n_z, pull_y, fused(n_y * s_z, pull_z, n_yz * load_))
+                    force = fused(s_y * n_z, pull_y, fused(n_y * s_z, pull_z, n_yz * carried))
                     pull = n_yz * pull_x
                     row = RECORD * (start + edge * (b + edge * c))
                     for a in range(nodes):

@@ -16,7 +16,7 @@ import numpy as np
 
 from core_models.compilation import inside_kernel, kernel
 from core_models.dispatch import generic
-from mpm.geometries import column, deform, depth_of, put_columns, put_vector, stand, vector
+from mpm.geometries import deform, depth_of, put_columns, put_vector, stand, vector
 from mpm.grid import VELOCITY, block_corner
 from mpm.interpolation import half_size, reach, spread
 from mpm.lanes import fused, lane, lanes, load
