@@ -1,8 +1,10 @@
-"""Background grid of the axisymmetric (r, z) plane.
+"""The background grid: blocks of 4 x 4 (x 4) nodes, of which only those near particles have storage.
 
-Nodes lie half a cell off the axis and off the wall: r_i = (i - 1/2) h, z_j = (j - GHOSTS + 1/2) h. The node column
-i = 0 is the mirror image of column 1 in the axis, row GHOSTS - 1 that of row GHOSTS in the wall plane z = 0, so that
-the quadratic B-splines keep their full support, and reproduce linear fields, right up to axis and wall.
+Node (i, j, k) lies at base + (i + 1/2, j + 1/2, k + 1/2) h: half a cell off the planes at whole numbers of cells from
+`base`, which symmetry planes, axis and wall are. In two dimensions there is one layer, k = 0.
+
+A flat record of eight numbers per node holds velocity before the forces (momentum, while it is being summed), mass,
+force and one spare; a second one of four the velocity after the forces. Lanes read them in one or two pieces.
 """
 
 import math
@@ -11,147 +13,127 @@ from typing import NamedTuple
 import numpy as np
 
 from core_models.compilation import inside_kernel, kernel
+from core_models.dispatch import generic
 from core_models.errors import SceneError
+from core_models.geometry import Axisymmetric, Geometry, PlaneStrain, Spatial
 
-GHOSTS = 2  # rows below the wall
-MOST_NODES = 30_000_000  # some 2 GB
-STRIPE = 4  # rows of cells in a stripe; wider than the stencil, so that every second stripe can be filled in parallel
-MASS, MOMENTUM_R, MOMENTUM_Z, FORCE_R, FORCE_Z = 0, 1, 2, 3, 4
+EDGE = 4  # nodes along the edge of a block; the code counts them in two bits
+RECORD, MASS, FORCE = 8, 3, 4
+VELOCITY = 4  # numbers in a record of the velocity after the forces
+MOST_BLOCKS = 50_000_000  # in the box round the body, 4 bytes each
+MARGIN = 0.25  # part of the body's size that the box leaves free on each side
+NEXT = 2  # blocks along an axis that the particles of one block reach
 
 
 class Grid(NamedTuple):
-    """Arrays of the grid: sums (rows, columns, 5) are mass, momentum and force; velocities before and after forces.
+    """Arrays of the grid.
 
-    first, last : (rows,) columns of each row that particles reach; first > last where there are none. Nothing else
-    is touched.
+    h, over_h : cell size [m] and its inverse. base : (3,) [m]. low : (3,) block that the box begins with, counted from
+    base. shape : (3,) blocks of the box. table : (blocks of the box,) number of each in storage, or -1; x runs fastest.
+    homes : places in the table of the blocks that hold particles, colour by colour. nodes, after : flat records.
     """
 
-    sums: np.ndarray
-    before: np.ndarray
+    h: float
+    over_h: float
+    base: np.ndarray
+    low: np.ndarray
+    shape: np.ndarray
+    table: np.ndarray
+    homes: np.ndarray
+    nodes: np.ndarray
     after: np.ndarray
-    first: np.ndarray
-    last: np.ndarray
 
 
-def make_grid(cell_size: float, radius: float, height: float) -> Grid:
-    """Grid that reaches to `radius` and `height` [m]; it grows when particles come near its end.
+@generic
+def block_nodes(geometry):
+    """Nodes of a block: a constant when compiled."""
 
-    Raises SceneError for a grid that no memory would hold.
+
+@block_nodes.register(Axisymmetric)
+@block_nodes.register(PlaneStrain)
+def _(geometry):
+    return EDGE * EDGE
+
+
+@block_nodes.register(Spatial)
+def _(geometry):
+    return EDGE * EDGE * EDGE
+
+
+def make_grid(geometry: Geometry, cell_size: float, base: np.ndarray, positions: np.ndarray) -> Grid:
+    """Grid with room for particles at these positions (n, d) [m] and some way round them, without storage yet.
+
+    Raises SceneError for a box of blocks that no memory would hold.
     """
-    columns = math.ceil(radius / cell_size) + 4
-    rows = math.ceil(height / cell_size) + GHOSTS + 4
-    if rows * columns > MOST_NODES:
+    dimension = positions.shape[1]
+    size = EDGE * cell_size
+    low, high = positions.min(axis=0) - base[:dimension], positions.max(axis=0) - base[:dimension]
+    room = MARGIN * (high - low)
+    first, last = np.zeros(3), np.zeros(3)
+    first[:dimension] = np.floor((low - room) / size) - 1
+    last[:dimension] = np.floor((high + room) / size) + NEXT
+    shape = last - first + 1
+    if not shape.prod() <= MOST_BLOCKS:
         raise SceneError(
-            f"a grid of {rows} x {columns} nodes for cells of {cell_size:.3g} m is too large: "
-            f"give larger cells (at most {MOST_NODES:.0e} nodes)"
+            f"a grid of {' x '.join(f'{EDGE * n:.3g}' for n in shape[:dimension])} nodes for cells of "
+            f"{cell_size:.3g} m is too large: give larger cells (at most {EDGE**dimension * MOST_BLOCKS:.0e} nodes)"
         )
+    count = int(shape.prod())
     return Grid(
-        np.zeros((rows, columns, 5)),
-        np.zeros((rows, columns, 2)),
-        np.zeros((rows, columns, 2)),
-        np.zeros(rows, dtype=np.int64),
-        np.zeros(rows, dtype=np.int64),
+        cell_size,
+        1.0 / cell_size,
+        base,
+        first.astype(np.int64),
+        shape.astype(np.int64),
+        np.full(count, -1, dtype=np.int32),
+        np.zeros(count, dtype=np.int32),
+        np.zeros(0),
+        np.zeros(0),
     )
 
 
-@inside_kernel
-def stencil(x, over_h, offset):
-    """First of the three nodes that a coordinate reaches, and its distance to the middle one in cells.
-
-    offset : number of the first node for a coordinate in the cell 0 ... h (0 along r, GHOSTS - 1 along z).
-    """
-    scaled = x * over_h
-    cell = math.floor(scaled)
-    return int(cell) + offset, scaled - cell - 0.5
+def with_storage(geometry: Geometry, grid: Grid, blocks: int) -> Grid:
+    """The grid with storage for that many blocks; the same one where it has that already."""
+    nodes = block_nodes(geometry) * blocks
+    if len(grid.after) >= VELOCITY * nodes:
+        return grid
+    nodes = math.ceil(1.2 * nodes)
+    return grid._replace(nodes=np.zeros(RECORD * nodes), after=np.zeros(VELOCITY * nodes))
 
 
 @inside_kernel
-def cell_of(x, over_h):
-    """Number of the cell of a coordinate, counted from 0 at the axis or the wall, by the rule of `stencil`."""
-    return math.floor(x * over_h)
+def block_corner(grid, place):
+    """First node of the block at a place of the table."""
+    row, i = divmod(place, grid.shape[0])
+    k, j = divmod(row, grid.shape[1])
+    return EDGE * (i + grid.low[0]), EDGE * (j + grid.low[1]), EDGE * (k + grid.low[2])
 
 
 @inside_kernel
-def weights(d):
-    """Quadratic B-spline weights of the three nodes at distance d in [-1/2, 1/2] cells from the middle one."""
-    return 0.5 * (0.5 - d) * (0.5 - d), 0.75 - d * d, 0.5 * (0.5 + d) * (0.5 + d)
+def node_in(geometry, grid, place, i, j, k):
+    """Number of the node (i, j, k), counted from the first of the block at a place of the table; its block exists."""
+    shape = grid.shape
+    block = grid.table[place + (i >> 2) + shape[0] * ((j >> 2) + shape[1] * (k >> 2))]
+    return block * block_nodes(geometry) + (((k & 3) << 4) | ((j & 3) << 2) | (i & 3))
 
 
 @inside_kernel
-def slopes(d, over_h):
-    """Derivatives of the weights [1/m]."""
-    return (d - 0.5) * over_h, -2.0 * d * over_h, (d + 0.5) * over_h
-
-
-class Order(NamedTuple):
-    """Particles by stripe of cells: particles[start[s] : start[s + 1]] are in stripe s.
-
-    stripes : (n,) stripe of each particle. fill : (stripes + 1,) for the sorting itself.
-    """
-
-    particles: np.ndarray
-    start: np.ndarray
-    stripes: np.ndarray
-    fill: np.ndarray
-
-
-def make_order(particles: int, rows: int) -> Order:
-    """Room for the order of particles on a grid with that many rows of nodes."""
-    stripes = -(-rows // STRIPE)
-
-    def integers(count: int) -> np.ndarray:
-        return np.zeros(count, dtype=np.int64)
-
-    return Order(integers(particles), integers(stripes + 1), integers(particles), integers(stripes + 1))
+def node_at(geometry, grid, i, j, k):
+    """Number of the node (i, j, k), counted from base, or -1 where it has no storage."""
+    i, j = i - EDGE * grid.low[0], j - EDGE * grid.low[1]
+    k = k - EDGE * grid.low[2]
+    x, y, z = i >> 2, j >> 2, k >> 2
+    shape = grid.shape
+    if x < 0 or y < 0 or z < 0 or x >= shape[0] or y >= shape[1] or z >= shape[2]:
+        return -1
+    block = grid.table[x + shape[0] * (y + shape[1] * z)]
+    if block < 0:
+        return -1
+    return block * block_nodes(geometry) + (((k & 3) << 4) | ((j & 3) << 2) | (i & 3))
 
 
 @kernel
-def sort_particles(positions, over_h, grid, order):
-    """Order particles by stripe, find the columns that each node row needs and clear those nodes.
-
-    positions : (n, 2) [m]. Returns the number of the first particle outside the grid, or -1.
-    """
-    first, last, start = grid.first, grid.last, order.start
-    rows, columns = grid.sums.shape[0], grid.sums.shape[1]
-    for row in range(rows):
-        first[row] = columns
-        last[row] = -1
-    for stripe in range(start.shape[0]):
-        start[stripe] = 0
-    low, high, count, current = columns, -1, 0, 0
-    for p in range(positions.shape[0]):
-        r, z = cell_of(positions[p, 0], over_h), cell_of(positions[p, 1], over_h) + (GHOSTS - 1)
-        if not (r >= 0.0 and z >= 0.0 and r < columns - 2 and z < rows - 2):
-            return p
-        column, row = int(r), int(z)
-        if row != current:
-            _note(first, last, start, current, low, high, count)
-            low, high, count, current = columns, -1, 0, row
-        low, high, count = min(low, column), max(high, column), count + 1
-        order.stripes[p] = row // STRIPE
-    _note(first, last, start, current, low, high, count)
-    for stripe in range(start.shape[0] - 1):
-        start[stripe + 1] += start[stripe]
-        order.fill[stripe] = start[stripe]
-    for p in range(positions.shape[0]):
-        stripe = order.stripes[p]
-        order.particles[order.fill[stripe]] = p
-        order.fill[stripe] += 1
-    for row in range(rows - 1, -1, -1):
-        for below in range(max(row - 2, 0), row):
-            first[row] = min(first[row], first[below])
-            last[row] = max(last[row], last[below])
-        if last[row] >= 0:
-            last[row] += 2
-        for column in range(first[row], last[row] + 1):
-            for k in range(5):
-                grid.sums[row, column, k] = 0.0
-    return -1
-
-
-@inside_kernel
-def _note(first, last, start, row, low, high, count):
-    """Enter a run of particles of one row of cells."""
-    first[row] = min(first[row], low)
-    last[row] = max(last[row], high)
-    start[row // STRIPE + 1] += count
+def clear(first, last, array, size):
+    """Set the pieces first ... last-1 of `size` numbers each to 0."""
+    for place in range(first * size, last * size):
+        array[place] = 0.0

@@ -1,43 +1,55 @@
-"""Explicit material point method: axisymmetric, updated Lagrangian, quadratic B-splines."""
+"""Explicit material point method: updated Lagrangian, in the plane, with axial symmetry or in space."""
 
 import math
+from typing import Any
 
 import numpy as np
 
-from core_models.arguments import check_between, check_motion, check_share
+from core_models.arguments import check_between
 from core_models.bulk_viscosity import BulkViscosity, damped_step_factor
 from core_models.compilation import CHUNK
-from core_models.errors import RunFailure, SceneError
+from core_models.errors import RunFailure
+from core_models.geometry import Axisymmetric, find_geometry
 from core_models.ledger import EnergyLedger
+from core_models.load_checks import AXES, check_loads, damping_of
+from core_models.loads import Load, Symmetry, at_time
 from core_models.material import Material
-from core_models.names import suggestion
-from core_models.points import MaterialPoints, Work
+from core_models.points import Work
 from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.threads import Threads
-from core_models.walls import PLANE, check_wall
+from core_models.walls import Wall, as_wall
 from meshes.axisymmetric import axisymmetric
 from meshes.mesh import Mesh
-from mpm.grid import Grid, make_grid, make_order, sort_particles
-from mpm.motion import AFTER, BEFORE, accelerate, measure_gaps, meet_wall
-from mpm.particles import GAUSS, LATTICE, seed
-from mpm.shape import outline, particle_domains
-from mpm.transfer import ENERGY, SPEED, to_grid, to_particles
+from mpm.background import Background
+from mpm.body import Body
+from mpm.contact import Contact, Push
+from mpm.grid import RECORD, VELOCITY
+from mpm.interpolation.catalogue import check_interpolation, make_interpolation
+from mpm.limits import bounds_of, check_size
+from mpm.mirrors import find_mirrors
+from mpm.motion import AFTER, BEFORE, DAMPED, advect
+from mpm.particles import GAUSS, rim_faces
+from mpm.to_particles import ENERGY, SPEED
+from mpm.transfers import make_transfer
 
-TRANSFERS = ("apic", "flip")
 
-
-class Solver:
-    """Explicit dynamics of an axisymmetric body that meets a rigid wall at z = 0.
+class Solver(Body):
+    """Explicit dynamics of a body, from a mesh that its particles are seeded from.
 
     Parameters
     ----------
-    mesh : `meshes.mesh.Mesh` that the particles are seeded from, four in each quad. material : `Material`.
-    cell_size : h of the grid [m]. velocity : initial axial velocity [m/s], negative towards the wall.
-    temperature : initial [K]. wall : 'unilateral' or 'plane'. viscosity : BulkViscosity or None.
-    threads : number of threads. transfer : 'apic' or 'flip'. flip_fraction : share of FLIP in the blend with PIC.
-    seeding : 'gauss' or 'lattice'. cfl : part of h / (c + |v|) that is taken as step, in (0, 1].
+    mesh : `meshes.mesh.Mesh`. material : `Material`. cell_size : h of the grid [m].
+    geometry : 'axisymmetric' (default in 2-D), 'plane-strain' or 'spatial' (default in 3-D).
+    velocity : initial [m/s]: a number (along the last axis), a vector (d,), or a function of positions (n, d).
+    displacement : initial, a function of positions (n, d) [m], or None. temperature : initial [K].
+    loads : of `core_models.loads`. wall : `Wall`, 'unilateral', 'plane' or None. viscosity : BulkViscosity or None.
+    threads : number of threads. interpolation : 'quadratic', 'cubic', 'linear' or 'gimp'.
+    transfer : 'apic', 'flip', 'pic' or 'xpic'. flip_fraction : share of FLIP in the blend with PIC.
+    xpic_order : m of XPIC(m). seeding : 'gauss' or 'lattice'. cfl : part of h / (c + |v|) that is taken as step, in
+    (0, 1].
 
     `advance` makes one step: particles to grid -> motion of the grid -> wall -> grid to particles -> points.
+    Velocities belong to the middle of the last step, positions and stress to its end.
     """
 
     method = "mpm"
@@ -48,54 +60,58 @@ class Solver:
         material: Material,
         *,
         cell_size: float,
-        velocity: float,
+        geometry: str | None = None,
+        velocity: Any = 0.0,
+        displacement: Any = None,
         temperature: float | None = None,
-        wall: str = "unilateral",
+        loads: tuple[Load, ...] = (),
+        wall: Wall | str | None = None,
         viscosity: BulkViscosity | None = None,
         threads: int = 1,
+        interpolation: str = "quadratic",
         transfer: str = "apic",
         flip_fraction: float = 0.99,
+        xpic_order: int = 2,
         seeding: str = GAUSS,
         cfl: float = 0.5,
     ) -> None:
-        if transfer not in TRANSFERS:
-            raise SceneError(f"no transfer is called {transfer!r}; {suggestion(transfer, TRANSFERS)}")
-        if seeding not in (GAUSS, LATTICE):
-            raise SceneError(f"no seeding is called {seeding!r}: use {GAUSS!r} or {LATTICE!r}")
+        check_interpolation(interpolation)
+        self._transfer = make_transfer(transfer, flip_fraction, xpic_order)
         check_between("cell_size", cell_size, 0.0, math.inf, "m")
-        check_between("cfl", cfl, 0.0, 1.0)
-        check_share("flip_fraction", flip_fraction)
-        check_motion(velocity, temperature)
-        mesh = axisymmetric(mesh)
-        self.mesh, self.material, self.wall, self.cfl = mesh, material, check_wall(wall), cfl
-        self.cell_size, self.transfer = cell_size, transfer
-        self._flip = flip_fraction if transfer == "flip" else -1.0
-        self.threads = Threads(threads)
-        self.particles = seed(mesh, seeding)
-        n = len(self.particles.volumes)
-        self.points = MaterialPoints(material, self.particles.volumes, temperature, viscosity, self.threads)
+        self.cfl = check_between("cfl", cfl, 0.0, 1.0)
+        if temperature is not None:
+            check_between("temperature", temperature, 0.0, math.inf, "K")
+        kind = find_geometry(geometry, mesh.dimension)
+        mesh = axisymmetric(mesh) if isinstance(kind, Axisymmetric) else mesh
+        wall = as_wall(wall)
+        check_loads(loads, mesh, kind)
+        base, mirrors = find_mirrors(mesh, kind, loads, wall, cell_size)
+        check_size(mesh, cell_size, mirrors)
+        super().__init__(
+            mesh, material, kind, Threads(threads), seeding=seeding, velocity=velocity, displacement=displacement,
+            temperature=temperature, viscosity=viscosity, affine=self._transfer.affine,
+        )  # fmt: skip
         if self.points.lengths is not None:
             self.points.lengths[:] = cell_size
-        self.particle_mass = material.density * self.particles.volumes
-        self.positions = self.particles.positions.copy()
-        self.velocities = np.tile([0.0, velocity], (n, 1))
-        self.affine = np.zeros((n, 2, 2))
-        self._volume_ratio = np.ones(n)
-        self._next = tuple(
-            a.copy() for a in (self.positions, self.velocities, self.affine, self._volume_ratio)
-        )
-        self._surface, self._surface_corners = self._boundary_faces()
-        self._touched = np.zeros(len(self._surface), dtype=np.bool_)
-        self._grow_grid()
-        self._sums = np.zeros((-(-n // CHUNK), 2))
-        self.time, self.step_count, self.point_updates = 0.0, 0, 0
-        self.mass = float(self.particle_mass.sum())
+        self.cell_size, self.transfer, self.wall = cell_size, transfer, wall
+        shape = make_interpolation(interpolation, cell_size, mesh, seeding, self.particles.areas)
+        bounds = bounds_of(mesh, cell_size, base, mirrors, wall)
+        self._background = Background(kind, shape, cell_size, base, mirrors, bounds, self.threads)
+        self._background.surround(self.positions)
+        mirrored = [load.boundary for load in loads if isinstance(load, Symmetry)]
+        self._contact = None
+        if wall is not None:
+            self._contact = Contact(wall, rim_faces(mesh, kind, seeding, self.particles, mirrored))
+        self._damping = damping_of(loads)
+        self._new_velocities = np.empty_like(self.velocities)
+        self._moves = np.empty_like(self.velocities) if self._transfer.share else self._new_velocities
+        self._filled = False
+        self.time, self.step_count, self.point_updates, self._last_step = 0.0, 0, 0, 0.0
         self.initial_momentum = self.momentum
         self.wall_impulse, self.wall_force = 0.0, 0.0
-        energy = 0.5 * self.mass * velocity**2
-        self.ledger = EnergyLedger(energy, energy)
-        self._kinetic = energy
-        self.time_step = self._stable_step(abs(velocity), float(self.points.wave_speed.max()), 0.0)
+        self._kinetic = self._particle_energy()
+        self.ledger = EnergyLedger(self._kinetic + self.stored_energy, self._kinetic, self.stored_energy)
+        self.time_step = self._stable_step(self._speed(), float(self.points.wave_speed.max()), 0.0)
         self._first_step = self.time_step
 
     def advance(self, limit: float = math.inf) -> None:
@@ -104,7 +120,8 @@ class Solver:
         limit : time not to go beyond [s], later than `time`; it is met exactly.
         Raises RunFailure naming step, time, particle and law when that does not help.
         """
-        self._particles_to_grid()
+        if not self._filled:
+            self._fill()
         dt = step_within(self.time_step, limit - self.time)
         taken = redoing(
             self._attempt,
@@ -116,113 +133,116 @@ class Solver:
         self.time = limit if taken == limit - self.time else self.time + taken
         self.step_count += 1
         self.point_updates += self.points.n
+        self._last_step, self._filled = taken, False
         self.time_step = self._stable_step(*self._fastest)
 
-    def _particles_to_grid(self) -> None:
-        """Sort the particles and fill the grid with their mass, momentum and forces; measure gaps to the wall."""
-        points, over_h = self.points, 1.0 / self.cell_size
-        outside = sort_particles(self.positions, over_h, self._grid, self._order)
-        if outside >= 0:
-            self._grow_grid(outside)
-            sort_particles(self.positions, over_h, self._grid, self._order)
-        stripes = len(self._order.start) - 1
-        for parity in range(2):
-            self.threads.run(
-                to_grid, (stripes - parity + 1) // 2, parity, self._grid, self._order, self.cell_size,
-                self.positions, self.velocities, self.affine, self.particle_mass, points.reference_volumes,
-                self._volume_ratio, points.old.stress, points.viscous_pressure,
-            )  # fmt: skip
-        measure_gaps(
-            self.cell_size, self.positions, points.old_deformation_gradient, self._surface, self._surface_corners,
-            self.wall == PLANE, self._touched, self._gaps, self._held,
+    def _fill(self) -> None:
+        """Fill the grid with what the particles bring, and measure gaps to the wall."""
+        points, background = self.points, self._background
+        outside = background.follow(self.positions)
+        if outside is not None:
+            self._check_inside(outside)
+            background.surround(self.positions)
+            background.follow(self.positions)
+        background.fill(
+            self.positions, self.velocities, self.affine, self.material.density, points.reference_volumes,
+            self.volume_ratio, points.old.stress, points.viscous_pressure, None,
         )  # fmt: skip
+        if self._contact is not None:
+            self._contact.measure(background, self.positions, points.old_deformation_gradient)
+        # A step that fails for good leaves the grid as it is: what it was filled from may have been overwritten.
+        self._filled = True
 
     def _attempt(self, dt: float) -> None:
         """Move the grid, the particles and the points by dt; nothing of it lasts unless all of it works."""
-        grid, points = self._grid, self.points
-        x1, v1, c1, j1 = self._next
-        self.threads.run(accelerate, len(grid.first), grid, dt, self._row_energies)
-        impulse, contact, change = meet_wall(grid, dt, self._gaps, self._held)
-        self.threads.run(
-            to_particles, len(self._sums), grid, self.cell_size, dt, self._flip, self.positions, self.velocities,
-            self.particle_mass, points.old_deformation_gradient, x1, v1, c1, points.deformation_gradient, j1,
-            self._sums,
+        background, points, transfer = self._background, self.points, self._transfer
+        kick = dt
+        damping = at_time(self._damping.rate, self.time) if self._damping else 0.0
+        background.accelerate(kick, damping)
+        push = Push() if self._contact is None else self._contact.meet(background, dt)
+        background.reflect(background.grid.after, VELOCITY)
+        second = background.grid.nodes if transfer.keeps_velocity else None
+        sums = background.give(
+            dt, self.positions, self.velocities, self.affine, second, RECORD, transfer.own, transfer.share,
+            self.material.density, points.reference_volumes, points.old_deformation_gradient,
+            points.deformation_gradient, self._moves, self._new_velocities, self.volume_ratio,
         )  # fmt: skip
         work = points.advance(dt)
         points.accept()
-        self._next = (self.positions, self.velocities, self.affine, self._volume_ratio)
-        self.positions, self.velocities, self.affine, self._volume_ratio = x1, v1, c1, j1
-        self._keep_books(work, impulse, contact, change, dt)
+        self.threads.run(advect, -(-points.n // CHUNK), dt, self._moves, self.positions)
+        shared = self._moves is self._new_velocities
+        self.velocities, self._new_velocities = self._new_velocities, self.velocities
+        if shared:
+            self._moves = self._new_velocities
+        self._keep_books(work, push, sums, kick)
 
-    def _keep_books(self, work: Work, impulse: float, contact: float, change: float, dt: float) -> None:
+    def _keep_books(self, work: Work, push: Push, sums: np.ndarray, kick: float) -> None:
         """Enter a step that worked in the ledger."""
         ledger = self.ledger
-        rows = self._row_energies.sum(axis=0)
-        kinetic = float(self._sums[:, ENERGY].sum())
-        on_grid_after = float(rows[AFTER]) + change
-        ledger.transfer += (self._kinetic - float(rows[BEFORE])) + (on_grid_after - kinetic)
+        on_grid = self._background.energies.sum(axis=0)
+        kinetic = float(sums[:, ENERGY].sum())
+        ledger.transfer += (self._kinetic - float(on_grid[BEFORE])) + (
+            float(on_grid[AFTER]) + push.energy - kinetic
+        )
         self._kinetic = kinetic
         # Velocities have had the whole step's force but belong to its middle: half a step's work brings both together.
         ledger.kinetic = kinetic - 0.5 * (work.stress + work.viscous)
-        ledger.contact -= contact
+        ledger.contact -= push.work
+        ledger.friction -= push.rubbed
+        ledger.damping += float(on_grid[DAMPED])
         ledger.plastic += work.plastic
         ledger.viscosity += work.viscous
         ledger.strain += work.stress - work.plastic
-        self.wall_impulse += impulse
-        self.wall_force = impulse / dt
-        self._fastest = (float(np.sqrt(self._sums[:, SPEED].max())), work.wave_speed, work.viscous_pressure)
+        self.wall_impulse += push.impulse
+        self.wall_force = push.impulse / kick
+        self._fastest = (math.sqrt(float(sums[:, SPEED].max())), work.wave_speed, work.viscous_pressure)
 
     def _stable_step(self, speed: float, wave_speed: float, viscous_pressure: float) -> float:
         relative = viscous_pressure / (self.material.density * wave_speed**2)
         damping = damped_step_factor(self.points.viscosity, relative)
         return self.cfl * damping * self.cell_size / (wave_speed + speed)
 
-    def _boundary_faces(self) -> tuple[np.ndarray, np.ndarray]:
-        """Particle of each boundary face, and the face's two ends relative to it in the reference body."""
-        faces = np.concatenate(list(self.particles.faces.values()))
-        corners = self.particles.corners
-        ends = [corners[faces[:, 0], (faces[:, 1] + k) % 4] for k in range(2)]
-        return np.ascontiguousarray(faces[:, 0]), np.ascontiguousarray(np.stack(ends, axis=1))
+    def _check_inside(self, particle: int) -> None:
+        """Raise RunFailure for a particle that no grid could hold."""
+        place, bounds = self.positions[particle], self._background.bounds
+        if not ((bounds[:, 0] <= place) & (place <= bounds[:, 1]) & np.isfinite(place)).all():
+            names = "rz" if isinstance(self.geometry, Axisymmetric) else AXES
+            where = ", ".join(f"{name} = {x:.4g} m" for name, x in zip(names, place, strict=False))
+            raise RunFailure(
+                f"{self.points.place(self.step_count + 1, self.time, particle)}: the particle has left the domain "
+                f"({where}); check velocity and material, or try another resolution"
+            )
 
-    def _grow_grid(self, outside: int | None = None) -> None:
-        """Make a grid with room for the particles where they are now; RunFailure where that cannot help."""
-        if outside is not None:
-            r, z = self.positions[outside]
-            if not np.isfinite([r, z]).all() or r < 0.0 or z < -self.cell_size:
-                raise RunFailure(
-                    f"{self.points.place(self.step_count + 1, self.time, outside)}: the particle has left the domain "
-                    f"(r = {r:.4g} m, z = {z:.4g} m); check velocity and material, or try another resolution"
-                )
-        reach = self.positions.max(axis=0)
-        self._grid: Grid = make_grid(self.cell_size, 1.5 * reach[0], 1.1 * reach[1])
-        rows, columns = self._grid.sums.shape[:2]
-        self._held = np.zeros(columns, dtype=np.bool_)
-        self._gaps = np.zeros(columns)
-        self._row_energies = np.zeros((rows, 2))
-        self._order = make_order(len(self.positions), rows)
+    def _speed(self) -> float:
+        return float(np.sqrt((self.velocities**2).sum(axis=1).max()))
+
+    def _particle_energy(self) -> float:
+        """Kinetic energy of the particles as they are, affine part included [J]."""
+        squares = (self.velocities**2).sum(axis=1)
+        if self.affine is not None:
+            squares += (self._background.spreads(self.positions)[:, None, :] * self.affine**2).sum(
+                axis=(1, 2)
+            )
+        return 0.5 * float((self.particle_mass * squares).sum())
+
+    def kinetic_energy(self) -> float:
+        """Kinetic energy at `time` [J]."""
+        return self.ledger.kinetic
 
     @property
-    def momentum(self) -> np.ndarray:
-        """Momentum (2,) [kg m/s], along the axis."""
-        return np.array([0.0, (self.particle_mass * self.velocities[:, 1]).sum()])
+    def angular_momentum(self) -> float | np.ndarray:
+        """About the origin [kg m^2/s], with what affine velocities carry: a number in the plane, (3,) in space."""
+        if isinstance(self.geometry, Axisymmetric):
+            raise AttributeError("a body of revolution has no angular momentum in its plane")
+        x, v = self.positions, self.velocities
+        spin = np.einsum("nj,ni->nij", x, v)
+        if self.affine is not None:
+            spin += self._background.spreads(x)[:, None, :] * self.affine
+        spin = (self.particle_mass[:, None, None] * spin).sum(axis=0)
+        whole = spin - spin.T
+        return float(whole[1, 0]) if len(whole) == 2 else np.array([whole[2, 1], whole[0, 2], whole[1, 0]])
 
     @property
     def in_contact(self) -> bool:
         """Whether the wall has pushed during the last step."""
         return self.wall_force != 0.0
-
-    def point_positions(self) -> np.ndarray:
-        """Positions of the particles (n, 2) [m]."""
-        return self.positions.copy()
-
-    def point_volumes(self) -> np.ndarray:
-        """Current volumes of the particles (n,) [m^3]."""
-        return self.points.reference_volumes * self._volume_ratio
-
-    def domains(self) -> np.ndarray:
-        """Deformed domains of the particles (n, 4, 2) [m]."""
-        return particle_domains(self.particles, self.positions, self.points.old_deformation_gradient)
-
-    def outline(self) -> dict[str, np.ndarray]:
-        """Deformed boundary: 'foot' (axis to rim), 'side' (foot to rear), 'rear' (rim to axis), each (k, 2) [m]."""
-        return outline(self.particles, self.positions, self.points.old_deformation_gradient)

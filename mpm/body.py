@@ -1,0 +1,121 @@
+"""A body of particles: where they start, what they carry, and what can be read from them."""
+
+from typing import Any
+
+import numpy as np
+
+from core_models.bulk_viscosity import BulkViscosity
+from core_models.errors import SceneError
+from core_models.geometry import Geometry
+from core_models.material import Material
+from core_models.points import MaterialPoints
+from core_models.threads import Threads
+from meshes.mesh import Mesh
+from mpm.initial import STAGES, field_gradients, field_values, initial_gradients, initial_velocities
+from mpm.particles import domain_corners, seed
+from mpm.shape import Boundary, deformed
+
+
+class Body:
+    """Particles with positions, velocities and material state.
+
+    Parameters
+    ----------
+    mesh, material, geometry, threads : as the solver's. seeding : see `mpm.particles`. velocity, displacement,
+    temperature, viscosity : initial state, see the solver. affine : whether particles carry an affine velocity.
+
+    positions, velocities (n, d) [m], [m/s]; affine (n, d, d) [1/s] or None; volume_ratio (n,) det F.
+    """
+
+    def __init__(
+        self,
+        mesh: Mesh,
+        material: Material,
+        geometry: Geometry,
+        threads: Threads,
+        *,
+        seeding: str,
+        velocity: Any,
+        displacement: Any,
+        temperature: float | None,
+        viscosity: BulkViscosity | None,
+        affine: bool,
+    ) -> None:
+        self.mesh, self.material, self.geometry, self.threads, self.seeding = (
+            mesh,
+            material,
+            geometry,
+            threads,
+            seeding,
+        )
+        self.particles = seed(mesh, geometry, seeding)
+        self.reference_positions = self.particles.positions
+        self.boundary = Boundary(self.particles.faces, self.reference_positions, geometry)
+        self.points = MaterialPoints(material, self.particles.volumes, temperature, viscosity, threads)
+        n, d = self.reference_positions.shape
+        self.positions = self.reference_positions.copy()
+        self.velocities = initial_velocities(velocity, self.reference_positions)
+        self.affine = np.zeros((n, d, d)) if affine else None
+        self.volume_ratio = np.ones(n)
+        self.stored_energy = 0.0
+        if displacement is not None:
+            self._displace(displacement)
+        if affine and callable(velocity):
+            self._turn(velocity)
+        self.mass = float(self.particle_mass.sum())
+
+    @property
+    def particle_mass(self) -> np.ndarray:
+        """Masses (n,) [kg]."""
+        return self.material.density * self.points.reference_volumes
+
+    @property
+    def momentum(self) -> np.ndarray:
+        """Momentum (d,) [kg m/s]."""
+        return (self.particle_mass[:, None] * self.velocities).sum(axis=0)
+
+    def point_positions(self) -> np.ndarray:
+        """Positions of the particles (n, d) [m]."""
+        return self.positions.copy()
+
+    def point_velocities(self) -> np.ndarray:
+        """Velocities of the particles (n, d) [m/s]."""
+        return self.velocities.copy()
+
+    def point_volumes(self) -> np.ndarray:
+        """Current volumes of the particles (n,) [m^3]."""
+        return self.points.reference_volumes * self.points.volume_ratio
+
+    def domains(self) -> np.ndarray:
+        """Deformed domains of the particles [m]: (n, 4, 2) polygons, or (n, 8, 3) hexahedra in VTK's order."""
+        offsets = domain_corners(self.mesh, self.seeding) - self.reference_positions[:, None]
+        return deformed(slice(None), offsets, self.positions, self.points.old_deformation_gradient)
+
+    def outline(self) -> dict[str, np.ndarray]:
+        """In two dimensions, each named boundary but the axis as a deformed line (k, 2) [m], the body on its left."""
+        return self.boundary.lines(self.positions, self.points.old_deformation_gradient)
+
+    def boundary_positions(self, name: str) -> np.ndarray:
+        """Current positions (k, d) [m] of the corners of the particles' faces on a named boundary, each once."""
+        return self.boundary.corners(name, self.positions, self.points.old_deformation_gradient)
+
+    def _displace(self, displacement: Any) -> None:
+        """Move the particles to X + u(X) and give them the state of that deformation."""
+        if not callable(displacement):
+            raise SceneError(
+                f"displacement = {displacement!r} is no function of positions: give one, or None"
+            )
+        reference = self.reference_positions
+        self.positions += field_values("displacement", displacement, reference)
+        change = initial_gradients(displacement, reference, self.geometry) - np.eye(3)
+        for stage in range(1, STAGES + 1):
+            self.points.deformation_gradient[:] = np.eye(3) + stage / STAGES * change
+            self.stored_energy += self.points.advance(1.0).stress
+            self.points.accept()
+        self.volume_ratio = self.points.volume_ratio
+
+    def _turn(self, velocity: Any) -> None:
+        """Give the particles the affine velocity of a field v(X)."""
+        d = self.positions.shape[1]
+        inverse = np.linalg.inv(self.points.old_deformation_gradient[:, :d, :d])
+        self.affine[:] = field_gradients(velocity, self.reference_positions) @ inverse

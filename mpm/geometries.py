@@ -1,0 +1,194 @@
+"""What the transfers do differently in each geometry. Two dimensions are three with one layer of nodes."""
+
+from core_models.compilation import inside_kernel
+from core_models.dispatch import generic
+from core_models.geometry import Axisymmetric, PlaneStrain, Spatial
+from core_models.tensors import determinant, load_tensor, store_tensor
+from mpm.interpolation import locate, reach
+from mpm.lanes import lane, lanes
+
+
+@generic
+def dimension_of(geometry):
+    """Components of a position: a constant when compiled."""
+
+
+@generic
+def depth_of(geometry, shape):
+    """Nodes that a particle reaches along the third axis: a constant when compiled."""
+
+
+@generic
+def stand(geometry, shape, grid, positions, p):
+    """First nodes (three numbers) that particle p reaches, and its local coordinates as lanes."""
+
+
+@generic
+def vector(geometry, array, p, last):
+    """Row p of an array (n, d) as lanes, with `last` in lane 3."""
+
+
+@generic
+def put_vector(geometry, array, p, v):
+    """Write lanes as row p of an array (n, d)."""
+
+
+@generic
+def column(geometry, array, p, axis):
+    """Column of matrix p of an array (n, d, d) as lanes."""
+
+
+@generic
+def put_columns(geometry, array, p, x, y, z):
+    """Write matrix p of an array (n, d, d) from its columns."""
+
+
+@generic
+def hoop_force(geometry, positions, p, tension):
+    """Force on a particle as lanes [N] for minus volume times hoop stress."""
+
+
+@generic
+def deform(geometry, old, new, p, dt, x, y, z, v, positions):
+    """Write F = (1 + dt L) F_old of particle p for L with columns x, y, z and velocity v; returns its determinant."""
+
+
+@dimension_of.register(Axisymmetric)
+@dimension_of.register(PlaneStrain)
+def _(geometry):
+    return 2
+
+
+@dimension_of.register(Spatial)
+def _(geometry):
+    return 3
+
+
+@depth_of.register(Axisymmetric)
+@depth_of.register(PlaneStrain)
+def _(geometry, shape):
+    return 1
+
+
+@depth_of.register(Spatial)
+def _(geometry, shape):
+    return reach(shape)
+
+
+@stand.register(Axisymmetric)
+@stand.register(PlaneStrain)
+def _(geometry, shape, grid, positions, p):
+    i, x = locate(shape, (positions[p, 0] - grid.base[0]) * grid.over_h)
+    j, y = locate(shape, (positions[p, 1] - grid.base[1]) * grid.over_h)
+    return i, j, 0.0, lanes(x, y, 0.0, 0.0)
+
+
+@stand.register(Spatial)
+def _(geometry, shape, grid, positions, p):
+    i, x = locate(shape, (positions[p, 0] - grid.base[0]) * grid.over_h)
+    j, y = locate(shape, (positions[p, 1] - grid.base[1]) * grid.over_h)
+    k, z = locate(shape, (positions[p, 2] - grid.base[2]) * grid.over_h)
+    return i, j, k, lanes(x, y, z, 0.0)
+
+
+@vector.register(Axisymmetric)
+@vector.register(PlaneStrain)
+def _(geometry, array, p, last):
+    return lanes(array[p, 0], array[p, 1], 0.0, last)
+
+
+@vector.register(Spatial)
+def _(geometry, array, p, last):
+    return lanes(array[p, 0], array[p, 1], array[p, 2], last)
+
+
+@put_vector.register(Axisymmetric)
+@put_vector.register(PlaneStrain)
+def _(geometry, array, p, v):
+    array[p, 0], array[p, 1] = lane(v, 0), lane(v, 1)
+
+
+@put_vector.register(Spatial)
+def _(geometry, array, p, v):
+    array[p, 0], array[p, 1], array[p, 2] = lane(v, 0), lane(v, 1), lane(v, 2)
+
+
+@column.register(Axisymmetric)
+@column.register(PlaneStrain)
+def _(geometry, array, p, axis):
+    if axis == 2:
+        return lanes(0.0, 0.0, 0.0, 0.0)
+    return lanes(array[p, 0, axis], array[p, 1, axis], 0.0, 0.0)
+
+
+@column.register(Spatial)
+def _(geometry, array, p, axis):
+    return lanes(array[p, 0, axis], array[p, 1, axis], array[p, 2, axis], 0.0)
+
+
+@put_columns.register(Axisymmetric)
+@put_columns.register(PlaneStrain)
+def _(geometry, array, p, x, y, z):
+    array[p, 0, 0], array[p, 0, 1] = lane(x, 0), lane(y, 0)
+    array[p, 1, 0], array[p, 1, 1] = lane(x, 1), lane(y, 1)
+
+
+@put_columns.register(Spatial)
+def _(geometry, array, p, x, y, z):
+    array[p, 0, 0], array[p, 0, 1], array[p, 0, 2] = lane(x, 0), lane(y, 0), lane(z, 0)
+    array[p, 1, 0], array[p, 1, 1], array[p, 1, 2] = lane(x, 1), lane(y, 1), lane(z, 1)
+    array[p, 2, 0], array[p, 2, 1], array[p, 2, 2] = lane(x, 2), lane(y, 2), lane(z, 2)
+
+
+@hoop_force.register(Axisymmetric)
+def _(geometry, positions, p, tension):
+    return lanes(tension / positions[p, 0], 0.0, 0.0, 0.0)
+
+
+@hoop_force.register(PlaneStrain)
+@hoop_force.register(Spatial)
+def _(geometry, positions, p, tension):
+    return lanes(0.0, 0.0, 0.0, 0.0)
+
+
+@inside_kernel
+def deform_in_plane(old, new, p, dt, x, y, hoop):
+    """The part of `deform` in the plane of the first two axes; hoop : ratio of stretches along the third."""
+    xx, xy, yx, yy = lane(x, 0), lane(y, 0), lane(x, 1), lane(y, 1)
+    f_xx, f_xy, f_yx, f_yy = old[p, 0, 0], old[p, 0, 1], old[p, 1, 0], old[p, 1, 1]
+    n_xx, n_xy = f_xx + dt * (xx * f_xx + xy * f_yx), f_xy + dt * (xx * f_xy + xy * f_yy)
+    n_yx, n_yy = f_yx + dt * (yx * f_xx + yy * f_yx), f_yy + dt * (yx * f_xy + yy * f_yy)
+    n_zz = old[p, 2, 2] * hoop
+    new[p, 0, 0], new[p, 0, 1], new[p, 1, 0], new[p, 1, 1], new[p, 2, 2] = n_xx, n_xy, n_yx, n_yy, n_zz
+    return n_zz * (n_xx * n_yy - n_xy * n_yx)
+
+
+@deform.register(Axisymmetric)
+def _(geometry, old, new, p, dt, x, y, z, v, positions):
+    return deform_in_plane(old, new, p, dt, x, y, 1.0 + dt * lane(v, 0) / positions[p, 0])
+
+
+@deform.register(PlaneStrain)
+def _(geometry, old, new, p, dt, x, y, z, v, positions):
+    return deform_in_plane(old, new, p, dt, x, y, 1.0)
+
+
+@deform.register(Spatial)
+def _(geometry, old, new, p, dt, x, y, z, v, positions):
+    f = load_tensor(old, p)
+    a = (lane(x, 0), lane(y, 0), lane(z, 0))
+    b = (lane(x, 1), lane(y, 1), lane(z, 1))
+    c = (lane(x, 2), lane(y, 2), lane(z, 2))
+    g = (
+        f[0] + dt * (a[0] * f[0] + a[1] * f[3] + a[2] * f[6]),
+        f[1] + dt * (a[0] * f[1] + a[1] * f[4] + a[2] * f[7]),
+        f[2] + dt * (a[0] * f[2] + a[1] * f[5] + a[2] * f[8]),
+        f[3] + dt * (b[0] * f[0] + b[1] * f[3] + b[2] * f[6]),
+        f[4] + dt * (b[0] * f[1] + b[1] * f[4] + b[2] * f[7]),
+        f[5] + dt * (b[0] * f[2] + b[1] * f[5] + b[2] * f[8]),
+        f[6] + dt * (c[0] * f[0] + c[1] * f[3] + c[2] * f[6]),
+        f[7] + dt * (c[0] * f[1] + c[1] * f[4] + c[2] * f[7]),
+        f[8] + dt * (c[0] * f[2] + c[1] * f[5] + c[2] * f[8]),
+    )
+    store_tensor(new, p, g)
+    return determinant(g)

@@ -1,0 +1,125 @@
+"""From particles to grid: mass, momentum and force.
+
+With N_i the weight of node i, x_i - x_p the vector to it, V the current volume and b a force on the particle:
+
+    m_i = sum_p m_p N_i,   (m v)_i = sum_p m_p N_i (v_p + C_p (x_i - x_p)),
+    f_i = sum_p [N_i b_p - V_p (sigma_p grad N_i + hoop stress N_i / r e_r)]
+
+C is the affine velocity of APIC; it is absent in the other transfers. The viscous pressure acts with the stress.
+Source: Jiang et al., ACM Trans. Graph. 34 (2015) 51.
+"""
+
+import numpy as np
+
+from core_models.compilation import kernel
+from core_models.dispatch import generic
+from core_models.state import read
+from mpm.geometries import column, depth_of, hoop_force, stand, vector
+from mpm.grid import FORCE, RECORD, block_corner
+from mpm.interpolation import reach
+from mpm.lanes import add_to, fused, lanes
+from mpm.tile import (
+    OFFSETS,
+    SLOPES,
+    WEIGHTS,
+    add_tile,
+    clear_tile,
+    edge_of,
+    place_in_tile,
+    put_offsets,
+    put_stencil,
+)
+
+
+@kernel
+def to_grid(
+    first, last, scratch, geometry, shape, grid, order, offset, positions, velocities, affine, density, volumes,
+    volume_ratio, stress, viscous, forces,
+):  # fmt: skip
+    """Add mass, momentum and force of the particles of some homes to the grid.
+
+    Parameters
+    ----------
+    first, last : homes of one colour, counted from `offset` in grid.homes; two of one colour share no node.
+    positions, velocities (n, d). affine (n, d, d) [1/s] or None. density [kg/m^3] : in the reference body.
+    volumes (n,) : reference [m^3]. volume_ratio (n,). stress (n, 6) [Pa]. viscous (n,) [Pa] or None.
+    forces (n, d) : on the particles [N], or None.
+    """
+    tile, stencil = scratch.tile, scratch.stencil
+    edge, nodes, depth = edge_of(shape), reach(shape), depth_of(geometry, shape)
+    for number in range(offset + first, offset + last):
+        home = grid.homes[number]
+        corner = block_corner(grid, home)
+        clear_tile(geometry, shape, tile)
+        for place in range(order.start[home], order.start[home + 1]):
+            p = order.particles[place]
+            i, j, k, t = stand(geometry, shape, grid, positions, p)
+            start = place_in_tile(shape, corner, i, j, k)
+            put_stencil(stencil, geometry, shape, p, t, grid.over_h)
+            put_offsets(stencil, shape, t, grid.h)
+            mass = density * volumes[p]
+            momentum = mass * vector(geometry, velocities, p, 1.0)
+            spin_x = momentum_slope(affine, geometry, p, 0, mass)
+            spin_y = momentum_slope(affine, geometry, p, 1, mass)
+            spin_z = momentum_slope(affine, geometry, p, 2, mass)
+            volume = -volumes[p] * volume_ratio[p]
+            q = read(viscous, p, 0.0)
+            t_xx, t_yy, t_zz = (
+                volume * (stress[p, 0] - q),
+                volume * (stress[p, 1] - q),
+                volume * (stress[p, 2] - q),
+            )
+            t_xy, t_yz, t_zx = volume * stress[p, 3], volume * stress[p, 4], volume * stress[p, 5]
+            pull_x, pull_y, pull_z = (
+                lanes(t_xx, t_xy, t_zx, 0.0),
+                lanes(t_xy, t_yy, t_yz, 0.0),
+                lanes(t_zx, t_yz, t_zz, 0.0),
+            )
+            load_ = force_on(forces, geometry, p) + hoop_force(geometry, positions, p, t_zz)
+            for c in range(depth):
+                n_z, s_z = stencil[WEIGHTS + 4 * c + 2], stencil[SLOPES + 4 * c + 2]
+                at_z = fused(stencil[OFFSETS + 4 * c + 2], spin_z, momentum)
+                for b in range(nodes):
+                    n_y, s_y = stencil[WEIGHTS + 4 * b + 1], stencil[SLOPES + 4 * b + 1]
+                    n_yz = n_y * n_z
+                    moved = n_yz * fused(stencil[OFFSETS + 4 * b + 1], spin_y, at_z)
+                    turned = n_yz * spin_x
+                    force = fused(s_y * n_z, pull_y, fused(n_y * s_z, pull_z, n_yz * carried))
+                    pull = n_yz * pull_x
+                    row = RECORD * (start + edge * (b + edge * c))
+                    for a in range(nodes):
+                        n_x, s_x = stencil[WEIGHTS + 4 * a], stencil[SLOPES + 4 * a]
+                        to = row + RECORD * a
+                        add_to(tile, to, fused(n_x, moved, n_x * stencil[OFFSETS + 4 * a] * turned))
+                        add_to(tile, to + FORCE, fused(n_x, force, s_x * pull))
+        add_tile(geometry, shape, grid, home, tile)
+
+
+@generic
+def momentum_slope(affine, geometry, p, axis, mass):
+    """Slope of particle p's momentum along an axis as lanes [kg/s]; 0 without an affine velocity."""
+
+
+@momentum_slope.register(np.ndarray)
+def _(affine, geometry, p, axis, mass):
+    return mass * column(geometry, affine, p, axis)
+
+
+@momentum_slope.register(type(None))
+def _(affine, geometry, p, axis, mass):
+    return lanes(0.0, 0.0, 0.0, 0.0)
+
+
+@generic
+def force_on(forces, geometry, p):
+    """Force on particle p as lanes [N]."""
+
+
+@force_on.register(np.ndarray)
+def _(forces, geometry, p):
+    return vector(geometry, forces, p, 0.0)
+
+
+@force_on.register(type(None))
+def _(forces, geometry, p):
+    return lanes(0.0, 0.0, 0.0, 0.0)
