@@ -71,6 +71,12 @@ class Readout:
         facets = self.mesh.boundaries[name]
         return self.positions[chain(facets) if self.mesh.dimension == 2 else np.unique(facets)]
 
+    def boundary_points(self, name: str) -> tuple[np.ndarray, np.ndarray]:
+        """Reference and current positions (k, d) [m] of the nodes of a boundary; SceneError if unknown."""
+        current = self.boundary_positions(name)
+        facets = self.mesh.boundaries[name]
+        return self.mesh.points[chain(facets) if self.mesh.dimension == 2 else np.unique(facets)], current
+
     def boundary_force(self, name: str) -> np.ndarray:
         """Mean force (d,) [N] of the supports of a boundary on the body in the last step; SceneError if it has none."""
         return self._supports.reaction(name) / self._middle

@@ -1,25 +1,40 @@
 """The mesh of a scene's bar: the cylinder's, or the user's own."""
 
-from math import sqrt
+from math import pi
 from operator import index
 
 from core_models.errors import MeshError, SceneError
 from meshes.axisymmetric import axisymmetric, check_bar
+from meshes.kinds import find_kind
 from meshes.mesh import Mesh
 from studies.scene import Scene
 
 FIT = 0.01  # largest relative difference between an own mesh's size and the cylinder it stands for
 MOST_POINTS = 4_000_000
+POINTS_OF_ONE = {2: 4.0, 3: 2.0 * pi}  # points of a body as long as wide, one element across, by dimension
 BYTES_PER_POINT = 1000  # state, kinematics and output of one point, roughly
 
 
-def bar_mesh(scene: Scene, resolution: int) -> Mesh:
-    """The bar as quads: the user's own mesh, or the cylinder with `resolution` elements across the radius."""
+def bar_mesh(scene: Scene, resolution: int, kind: str = "quad4") -> Mesh:
+    """The user's own mesh, or the cylinder with `resolution` elements across the radius.
+
+    kind : of the elements; a 3-D kind gives a quarter of the cylinder. Raises SceneError for too many of them, or for
+    another kind than that of the user's own mesh.
+    """
     if scene.mesh is not None:
-        return own_mesh(scene)
+        mesh = own_mesh(scene)
+        if mesh.kind != kind:
+            raise SceneError(f"{scene.mesh}: is of {mesh.kind}, not of {kind}; leave the kind out")
+        return mesh
+    bar = scene.bar
+    number = check_resolution(scene, resolution, find_kind(kind).dimension)
+    if find_kind(kind).dimension == 3:
+        from meshes.taylor_quarter import taylor_quarter
+
+        return taylor_quarter(bar.radius, bar.length, number, kind=kind)
     from meshes.taylor_bar import taylor_bar
 
-    return taylor_bar(scene.bar.radius, scene.bar.length, check_resolution(scene, resolution))
+    return taylor_bar(bar.radius, bar.length, number, kind=kind)
 
 
 def own_mesh(scene: Scene) -> Mesh:
@@ -47,7 +62,7 @@ def own_resolution(scene: Scene) -> int:
     return len(own_mesh(scene).boundaries["foot"])
 
 
-def check_resolution(scene: Scene, resolution: int) -> int:
+def check_resolution(scene: Scene, resolution: int, dimension: int = 2) -> int:
     """A resolution of at least two elements or cells across the radius whose points fit in memory.
 
     Raises SceneError, before anything of that size is made.
@@ -58,10 +73,10 @@ def check_resolution(scene: Scene, resolution: int) -> int:
         raise SceneError(f"resolution {resolution!r} is no whole number; give one like 8") from error
     if number < 2:
         raise SceneError(f"resolution {number} leaves no usable cell across the radius; give 2 or more")
-    points_of_one = 4.0 * scene.bar.length / scene.bar.radius
-    largest = int(sqrt(MOST_POINTS / points_of_one))
+    points_of_one = POINTS_OF_ONE[dimension] * scene.bar.length / scene.bar.radius
+    largest = int((MOST_POINTS / points_of_one) ** (1.0 / dimension))
     if number > largest:
-        points = points_of_one * number**2
+        points = points_of_one * number**dimension
         raise SceneError(
             f"resolution {number} makes some {points:.2g} points, which need about "
             f"{points * BYTES_PER_POINT / 2**30:.0f} GiB of memory; give {largest} or less"

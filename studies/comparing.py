@@ -80,5 +80,5 @@ def _one(
     options = {"wall": wall, "threads": threads, "progress": progress}
     if folder is None:
         return simulate(scene, method, resolution, **options)
-    with folder.subfolder(f"{method}-{resolution}") as own:
+    with folder.subfolder(f"{method.replace(':', '-')}-{resolution}") as own:
         return simulate(scene, method, resolution, folder=own, **options)

@@ -6,7 +6,6 @@ from studies import profile
 from studies.bar_shape import standing
 from studies.convergence import Estimate, extrapolate
 from studies.differences import Difference, difference
-from studies.methods import METHODS
 from studies.reference_check import ReferenceCheck, check_references
 from studies.run_result import RunResult
 from studies.scene import Scene
@@ -50,8 +49,13 @@ class Comparison:
 
     @property
     def finest(self) -> list[RunResult]:
-        """The finest completed run of each method, in the order of the methods."""
-        return [runs[-1] for method in METHODS if (runs := self.complete(method))]
+        """The finest completed run of each method, in the order in which the methods were asked for."""
+        return [runs[-1] for method in self.methods if (runs := self.complete(method))]
+
+    @property
+    def methods(self) -> list[str]:
+        """The methods, in the order in which they were asked for."""
+        return list(dict.fromkeys(run.method for run in self.runs))
 
 
 def conclude(scene: Scene, wall: str, runs: list[RunResult]) -> Comparison:

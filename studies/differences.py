@@ -5,7 +5,7 @@ from math import hypot
 
 from studies.convergence import Estimate
 from studies.display import plus_minus, shown_title, shown_unit, with_unit
-from studies.methods import METHODS
+from studies.methods import find_method
 from studies.run_result import RunResult
 
 TELLING = 0.1  # an uncertainty beyond this share of the value is no basis for a verdict
@@ -99,4 +99,4 @@ def _sentence(
 
 def _told(run: RunResult, estimate: Estimate, unit: str) -> str:
     number = plus_minus(estimate.value, estimate.uncertainty, unit)
-    return f"{METHODS[run.method].label} {number} {shown_unit(unit)}".rstrip()
+    return f"{find_method(run.method).label} {number} {shown_unit(unit)}".rstrip()

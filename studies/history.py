@@ -3,10 +3,11 @@
 import numpy as np
 
 from studies import bar_shape
+from studies.bar_outline import bar_outline
 from studies.observer import Observer
 from studies.output_folder import OutputFolder
 
-ENERGIES = ("kinetic", "strain", "plastic", "viscosity", "transfer", "contact")
+ENERGIES = ("kinetic", "strain", "plastic", "viscosity", "transfer", "contact", "friction", "hourglass")
 COLUMNS = (
     "t",
     "dt",
@@ -24,7 +25,7 @@ COLUMNS = (
 class History(Observer):
     """Samples the solver at even times; saves the table with every tenth of the samples, atomically.
 
-    wall_force is the mean over the time since the row before [N]; energies in J, momentum and impulse in N s.
+    wall_force is the mean over the time since the row before [N]; energies in J; axial momentum and impulse in N s.
     """
 
     def __init__(self, folder: OutputFolder | None, end: float, samples: int = 400) -> None:
@@ -61,7 +62,7 @@ class History(Observer):
 
     def _sample(self, solver) -> None:
         self._next = (np.floor(solver.time / self._interval) + 1.0) * self._interval
-        ledger, outline = solver.ledger, solver.outline()
+        ledger, outline = solver.ledger, bar_outline(solver)
         energies = [getattr(ledger, name) for name in ENERGIES]
         row = (
             solver.time,

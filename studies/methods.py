@@ -1,11 +1,12 @@
 """The methods a scene can be run with, by name. Solvers are imported only when one is built."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from core_models.errors import SceneError
-from core_models.names import suggestion
+from core_models.loads import Symmetry
 from studies.bar_mesh import bar_mesh, check_resolution, own_resolution
 from studies.scene import Scene
+from studies.variants import read_variant
 
 
 @dataclass(frozen=True)
@@ -25,10 +26,10 @@ DEFAULT_RESOLUTION = (8, 12, 16)
 
 
 def find_method(name: str) -> Method:
-    """The method of that name; raises SceneError naming the nearest one."""
-    if name not in METHODS:
-        raise SceneError(f"unknown method '{name}'; {suggestion(name, METHODS)}")
-    return METHODS[name]
+    """The method of that name, or of a variant (studies.variants); raises SceneError naming the nearest one."""
+    method = METHODS[read_variant(name).solver]
+    words = name.partition(":")[2]
+    return replace(method, label=f"{method.label} {words.replace('+', ' ')}") if words else method
 
 
 def resolutions_of(scene: Scene, method: str) -> tuple[int, ...]:
@@ -41,9 +42,9 @@ def resolutions_of(scene: Scene, method: str) -> tuple[int, ...]:
 
 def check_run(scene: Scene, method: str, resolution: int) -> None:
     """Refuse, before anything is written, a method or resolution that cannot be run; raises SceneError."""
-    find_method(method)
-    check_resolution(scene, resolution)
-    if scene.mesh is not None and method == "fem-explicit" and resolution != own_resolution(scene):
+    variant = read_variant(method)
+    check_resolution(scene, resolution, 3 if variant.is_spatial else 2)
+    if scene.mesh is not None and variant.solver == "fem-explicit" and resolution != own_resolution(scene):
         raise SceneError(
             f"{scene.mesh}: has {own_resolution(scene)} elements across the radius, not {resolution}; "
             "leave the resolution out"
@@ -64,15 +65,18 @@ def planned_runs(
 def build_solver(scene: Scene, method: str, resolution: int, wall: str, threads: int):
     """The solver for one run, at time zero."""
     check_run(scene, method, resolution)
-    mesh = bar_mesh(scene, resolution)
+    variant = read_variant(method)
+    mesh = bar_mesh(scene, resolution, variant.kind)
     common = {
+        **variant.options,
+        "loads": (Symmetry("symmetry_x"), Symmetry("symmetry_y")) if variant.is_spatial else (),
         "velocity": scene.bar.velocity,
         "temperature": scene.bar.temperature,
         "wall": wall,
         "viscosity": scene.viscosity,
         "threads": threads,
     }
-    if method == "fem-explicit":
+    if variant.solver == "fem-explicit":
         import fem
 
         return fem.ExplicitSolver(mesh, scene.material, **common)

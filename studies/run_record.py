@@ -5,7 +5,7 @@ import platform
 from dataclasses import asdict
 
 from studies.effects import scene_effects
-from studies.methods import METHODS
+from studies.methods import find_method
 from studies.run_result import RunResult
 from studies.versions import processor, versions
 
@@ -15,7 +15,7 @@ def run_entry(result: RunResult) -> dict:
     return {
         "method": result.method,
         "resolution": result.resolution,
-        "resolution_counts": METHODS[result.method].unit,
+        "resolution_counts": find_method(result.method).unit,
         "wall": result.wall,
         "threads": result.threads,
         "status": result.status,

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from core_models.errors import DiskFull, OutputError, RunFailure
 from core_models.walls import check_wall
+from studies.bar_outline import bar_outline, bar_section
 from studies.contact_watch import ContactWatch
 from studies.costs import Cost, measured
 from studies.ending import Ending
@@ -136,7 +137,13 @@ def _conclude(result: RunResult, solver, ending: Ending, contact: ContactWatch, 
     result.ended = ending.reason(solver)
     result.quantities = measure(solver, result.scene, result.wall, result.history, contact)
     result.conservation = _conservation(solver, mass)
-    result.final = FinalState(solver.domains(), cell_data(solver), solver.outline())
+    result.final = _final_state(solver)
+
+
+def _final_state(solver) -> FinalState:
+    polygons, points = bar_section(solver)
+    fields = {name: values[points] for name, values in cell_data(solver).items()}
+    return FinalState(polygons, fields, bar_outline(solver))
 
 
 def _conservation(solver, initial_mass: float) -> dict[str, float]:

@@ -3,7 +3,7 @@
 from lxml import etree
 
 from core_models.cards import material_element
-from studies.methods import METHODS
+from studies.methods import find_method
 from studies.output_folder import OutputFolder
 from studies.scene import Bar, End, Scene
 
@@ -33,7 +33,9 @@ def scene_element(scene: Scene, wall: str) -> etree._Element:
     coefficients = (0.0, 0.0) if scene.viscosity is None else scene.viscosity
     etree.SubElement(root, "bulk_viscosity", linear=repr(coefficients[0]), quadratic=repr(coefficients[1]))
     if scene.resolutions:
-        numbers = {METHODS[name].scene_key: " ".join(map(str, of)) for name, of in scene.resolutions.items()}
+        numbers = {
+            find_method(name).scene_key: " ".join(map(str, of)) for name, of in scene.resolutions.items()
+        }
         etree.SubElement(root, "resolution", numbers)
     _add_references(root, scene)
     return root

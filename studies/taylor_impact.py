@@ -10,6 +10,7 @@ import numpy as np
 from core_models.errors import SceneError
 from core_models.walls import PLANE
 from studies import profile
+from studies.bar_outline import bar_outline
 from studies.bar_shape import Outline, foot_height, foot_radius, rim_lift
 from studies.contact_watch import ContactWatch
 from studies.history import History
@@ -36,7 +37,7 @@ class Quantity:
 
 def measure(solver, scene: Scene, wall: str, history: History, contact: ContactWatch) -> dict[str, Quantity]:
     """All quantities of a finished run, by name, in the order in which they are reported."""
-    outline = solver.outline()
+    outline = bar_outline(solver)
     return {
         "final_length": _final_length(scene, wall, history),
         "foot_radius": Quantity(foot_radius(outline), "m"),

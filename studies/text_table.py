@@ -12,7 +12,7 @@ from studies.display import (
     shown_percent,
     shown_unit,
 )
-from studies.methods import METHODS
+from studies.methods import find_method
 
 
 def aligned(rows: Sequence[Sequence[str]]) -> str:
@@ -41,7 +41,7 @@ def comparison_text(comparison: Comparison) -> str:
 def _quantity_rows(comparison: Comparison) -> Iterable[list[str]]:
     finest = comparison.finest
     apart = {difference.quantity: difference for difference in comparison.differences}
-    heads = [[f"{METHODS[run.method].label} {run.resolution}", "limit"] for run in finest]
+    heads = [[f"{find_method(run.method).label} {run.resolution}", "limit"] for run in finest]
     yield ["quantity", "", *sum(heads, []), "difference", "reference"]
     for name, quantity in finest[0].quantities.items():
         row = [shown_name(name), shown_unit(quantity.unit)]

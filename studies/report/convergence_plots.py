@@ -4,8 +4,8 @@ import numpy as np
 
 from studies.comparison import Comparison
 from studies.display import SHOWN_UNITS, shown_name, shown_title
-from studies.methods import METHODS
-from studies.report.drawing import FAINT, METHOD_COLOURS, as_svg, drawing
+from studies.methods import find_method
+from studies.report.drawing import FAINT, as_svg, colour_of, drawing
 
 SHOWN = ("final_length", "foot_radius", "max_equivalent_plastic_strain", "max_temperature")
 
@@ -41,10 +41,10 @@ def _show(ax, name: str, comparison: Comparison) -> None:
 def _sequence(ax, name: str, method: str, comparison: Comparison) -> None:
     runs = comparison.complete(method)
     scale = SHOWN_UNITS[runs[0].quantities[name].unit][0]
-    limit, colour = comparison.limits[method][name], METHOD_COLOURS[method]
+    limit, colour = comparison.limits[method][name], colour_of(method)
     h = np.array([1.0 / run.resolution for run in runs])
     values = np.array([run.quantities[name].value for run in runs]) * scale
-    ax.plot(h, values, "o-", color=colour, markersize=4, linewidth=1.0, label=METHODS[method].label)
+    ax.plot(h, values, "o-", color=colour, markersize=4, linewidth=1.0, label=find_method(method).label)
     if limit.uncertainty is not None:
         ax.errorbar(
             [0.0],

@@ -45,7 +45,23 @@ STYLE = {
 }
 
 
+LINES = {"fem-explicit": "-", "mpm": (0, (4, 1.5))}
+VARIANT_LINES = (":", (0, (1, 1, 4, 1)), (0, (6, 1)), (0, (2, 2)))
+
 PANEL = (4.6, 3.1)  # inches; two stand side by side on a wide page, one above the other on a phone
+
+
+def colour_of(method: str) -> str:
+    """Colour of a method; its variants share it."""
+    return METHOD_COLOURS[method.partition(":")[0]]
+
+
+def line_of(method: str, methods: list[str]) -> str | tuple:
+    """Line style of a method among those that are drawn: a variant's differs from its method's."""
+    variants = [name for name in methods if ":" in name]
+    if method in variants:
+        return VARIANT_LINES[variants.index(method) % len(VARIANT_LINES)]
+    return LINES[method]
 
 
 @contextmanager

@@ -3,7 +3,7 @@
 import numpy as np
 
 from studies.comparison import Comparison
-from studies.methods import METHODS
+from studies.methods import find_method
 from studies.report.drawing import FAINT, INK, as_svg, drawing
 from studies.run_result import RunResult
 
@@ -83,7 +83,7 @@ def _name(ax, run: RunResult, side: float) -> None:
     ax.text(
         0.5 + 0.48 * side,
         0.98,
-        "\n".join([f"{METHODS[run.method].label} {run.resolution}", *ends]),
+        "\n".join([f"{find_method(run.method).label} {run.resolution}", *ends]),
         transform=ax.transAxes,
         horizontalalignment="left" if side < 0.0 else "right",
         verticalalignment="top",

@@ -5,13 +5,12 @@ import numpy as np
 from studies.comparison import Comparison
 from studies.curves import COLUMNS, read_curve
 from studies.history import ENERGIES
-from studies.methods import METHODS
-from studies.report.drawing import INK, METHOD_COLOURS, as_svg, drawing
-from studies.report.profile_plots import STYLES
+from studies.methods import find_method
+from studies.report.drawing import INK, as_svg, colour_of, drawing, line_of
 from studies.run_result import RunResult
 
 MICROSECONDS = 1e6
-ENERGY_COLOURS = ("#3b7dd8", "#2a9d8f", "#c8553d", "#9467bd", "#b8860b", "#8c8c8c")
+ENERGY_COLOURS = ("#3b7dd8", "#2a9d8f", "#c8553d", "#9467bd", "#b8860b", "#8c8c8c", "#d18cc0", "#6b8e23")
 
 
 PANELS = (
@@ -45,9 +44,11 @@ def _energies(run: RunResult) -> str:
     with drawing() as (figure, ax):
         t = run.history.column("t") * MICROSECONDS
         for name, colour in zip(ENERGIES, ENERGY_COLOURS, strict=True):
-            ax.plot(t, run.history.column(name), color=colour, label=name)
+            values = run.history.column(name)
+            if values.any():
+                ax.plot(t, values, color=colour, label=name)
         ax.plot(t, run.history.column("total"), color=INK, linewidth=1.0, linestyle=":", label="total")
-        ax.set(title=f"Energy [J], {METHODS[run.method].label} {run.resolution}, wall {run.wall}")
+        ax.set(title=f"Energy [J], {find_method(run.method).label} {run.resolution}, wall {run.wall}")
         ax.set(xlabel="t [µs]", xlim=(0.0, t[-1]))
         ax.legend(loc="center right")
         return as_svg(figure, f"energy-{run.method}", f"Energies of {run.label} over time")
@@ -56,8 +57,9 @@ def _energies(run: RunResult) -> str:
 def _over_time(ax, comparison: Comparison, column: str, scale: float) -> None:
     for run in comparison.finest:
         t, values = run.history.column("t") * MICROSECONDS, run.history.column(column) * scale
-        label = f"{METHODS[run.method].label} {run.resolution}"
-        ax.plot(t, values, color=METHOD_COLOURS[run.method], linestyle=STYLES[run.method], label=label)
+        label = f"{find_method(run.method).label} {run.resolution}"
+        style = line_of(run.method, comparison.methods)
+        ax.plot(t, values, color=colour_of(run.method), linestyle=style, label=label)
     ax.set(xlabel="t [µs]")
     ax.set_xlim(left=0.0)
 

@@ -5,7 +5,7 @@ from importlib.resources import files
 
 from core_models.walls import MEANING
 from studies.comparison import Comparison
-from studies.methods import METHODS
+from studies.methods import find_method
 from studies.quantity_names import LEADING
 from studies.report.convergence_plots import convergence_plots
 from studies.report.field_pictures import field_pictures
@@ -115,7 +115,7 @@ def _verdicts(comparison: Comparison) -> str:
 
 def _ends(comparison: Comparison) -> str:
     return "; ".join(
-        f"{METHODS[run.method].label} {run.resolution} ended {run.ended}" for run in comparison.finest
+        f"{find_method(run.method).label} {run.resolution} ended {run.ended}" for run in comparison.finest
     )
 
 

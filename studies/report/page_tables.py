@@ -15,7 +15,7 @@ from studies.display import (
 )
 from studies.effects import scene_effects
 from studies.history import ENERGIES
-from studies.methods import METHODS
+from studies.methods import find_method
 from studies.report.markup import table
 from studies.run_result import RunResult
 
@@ -25,7 +25,7 @@ def quantities_table(comparison: Comparison) -> str:
     finest = comparison.finest
     head = ["Quantity"]
     for run in finest:
-        head += [_tag(run, f"{METHODS[run.method].label} {run.resolution}"), _tag(run, "limit")]
+        head += [_tag(run, f"{find_method(run.method).label} {run.resolution}"), _tag(run, "limit")]
     apart = {difference.quantity: difference for difference in comparison.differences}
     if comparison.differences:
         head += ["difference<br>of finest", "of limits"]
@@ -101,9 +101,11 @@ def cost_table(comparison: Comparison) -> str:
 
 def ledger_table(comparison: Comparison) -> str:
     """Where the energy went in every completed run, and how well mass, momentum and energy close."""
+    complete = [run for run in comparison.runs if run.failure is None]
+    shown = [name for name in ENERGIES if any(run.energies[name] for run in complete)]
     head = [
         "Run",
-        *ENERGIES,
+        *shown,
         "initial",
         "energy",
         "momentum",
@@ -112,13 +114,12 @@ def ledger_table(comparison: Comparison) -> str:
     rows = [
         [
             _tag(run, run.label),
-            *(number(run.energies[name], 4) for name in (*ENERGIES, "initial")),
+            *(number(run.energies[name], 4) for name in (*shown, "initial")),
             f"{100.0 * run.conservation['energy']:.3f} %",
             f"{run.conservation['momentum']:.1e}",
             f"{run.conservation['mass']:.1e}",
         ]
-        for run in comparison.runs
-        if run.failure is None
+        for run in complete
     ]
     return table(head, rows) if rows else ""
 
@@ -139,7 +140,7 @@ def quantity_notes(comparison: Comparison) -> list[str]:
     for run in finest:
         amplitude = run.quantities["final_length"].more.get("amplitude")
         if amplitude is not None:
-            told.append(f"{METHODS[run.method].label} swings by ±{with_unit(amplitude, 'm', 2)} in it")
+            told.append(f"{find_method(run.method).label} swings by ±{with_unit(amplitude, 'm', 2)} in it")
     missing = [
         (name, quantity.note) for name, quantity in finest[0].quantities.items() if quantity.value is None
     ]
@@ -165,4 +166,4 @@ def _nanoseconds(run: RunResult) -> str:
 
 
 def _tag(run: RunResult, text: str) -> str:
-    return f'<span class="{METHODS[run.method].scene_key}">{escape(text)}</span>'
+    return f'<span class="{find_method(run.method).scene_key}">{escape(text)}</span>'

@@ -7,11 +7,10 @@ import numpy as np
 from studies.bar_shape import standing
 from studies.comparison import Comparison
 from studies.curves import read_curve
-from studies.methods import METHODS
-from studies.report.drawing import INK, METHOD_COLOURS, as_svg, drawing
+from studies.methods import find_method
+from studies.report.drawing import INK, as_svg, colour_of, drawing, line_of
 
 MILLIMETRES = 1e3
-STYLES = {"fem-explicit": "-", "mpm": (0, (4, 1.5))}
 
 
 def profile_plots(comparison: Comparison) -> list[str]:
@@ -36,18 +35,18 @@ def _profiles(comparison: Comparison, title: str, show: Callable) -> str:
 def _draw(ax, comparison: Comparison) -> None:
     for run in comparison.finest:
         for coarse in comparison.complete(run.method)[:-1]:
-            _line(ax, coarse, linewidth=0.5, alpha=0.6)
-        _line(ax, run, linewidth=1.7, label=f"{METHODS[run.method].label} {run.resolution}")
+            _line(ax, coarse, comparison, linewidth=0.5, alpha=0.6)
+        _line(ax, run, comparison, linewidth=1.7, label=f"{find_method(run.method).label} {run.resolution}")
     for curve in comparison.scene.curves:
         if curve.kind == "profile" and curve.wall in (None, comparison.wall):
             data = read_curve(curve)
             ax.plot(data["r"] * 1e3, data["z"] * 1e3, "o", color=INK, markersize=3, label="reference")
 
 
-def _line(ax, run, **style) -> None:
+def _line(ax, run, comparison: Comparison, **style) -> None:
     outline = standing(run.final.outline)
     line = np.concatenate([outline[part] for part in ("foot", "side", "rear")]) * MILLIMETRES
-    ax.plot(*line.T, color=METHOD_COLOURS[run.method], linestyle=STYLES[run.method], **style)
+    ax.plot(*line.T, color=colour_of(run.method), linestyle=line_of(run.method, comparison.methods), **style)
 
 
 def _show_all(ax, comparison: Comparison) -> None:

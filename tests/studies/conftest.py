@@ -21,6 +21,7 @@ class FakeSolver:
 
     initial_momentum = np.array([0.0, -2.0])
     mass, threads, time_step = 0.009, 1, 1e-6
+    mesh = SimpleNamespace(dimension=2)
 
     def __init__(self, error: float = 0.0, wall: str = "unilateral", fails_at: float = np.inf) -> None:
         self.time, self.step_count, self.point_updates = 0.0, 0, 0
@@ -56,7 +57,14 @@ class FakeSolver:
     def ledger(self) -> SimpleNamespace:
         """Energies."""
         plastic = 200.0 * self.progress
-        parts = {"strain": 1.0, "viscosity": 2.0, "transfer": 0.0, "contact": 0.0}
+        parts = {
+            "strain": 1.0,
+            "viscosity": 2.0,
+            "transfer": 0.0,
+            "contact": 0.0,
+            "friction": 0.0,
+            "hourglass": 0.0,
+        }
         return SimpleNamespace(
             kinetic=237.0 - plastic, plastic=plastic, **parts, initial=240.0, relative_error=1e-3
         )

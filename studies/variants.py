@@ -1,0 +1,67 @@
+"""Variants of a method, named by words after a colon: `fem-explicit:hex8`, `mpm:cubic+flip`, `mpm:spatial`.
+
+A word is a mesh's kind of element (3-D kinds give a quarter of the bar in 3-D), or the value of one of the solver's
+options; the words of one solver are all different, so that no option needs to be named.
+"""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from core_models.errors import SceneError
+from core_models.names import suggestion
+
+PLANAR_KINDS = ("quad4", "quad8", "quad9", "tri3", "tri6")
+SPATIAL_KINDS = ("hex8", "hex20", "hex27", "tet4", "tet10")
+SPATIAL = "spatial"
+KIND = "kind"
+
+WORDS: dict[str, dict[str, tuple[str, ...]]] = {
+    "fem-explicit": {
+        KIND: (*PLANAR_KINDS, *SPATIAL_KINDS),
+        "integration": ("full", "reduced"),
+        "cure": ("none", "mean-dilatation", "nodal-average"),
+    },
+    "mpm": {
+        KIND: ("quad4", "hex8"),
+        "interpolation": ("linear", "gimp", "cpdi", "quadratic", "cubic"),
+        "transfer": ("apic", "flip", "pic", "xpic"),
+        "update": ("usl", "musl"),
+        "configuration": ("updated", "total"),
+        "cure": ("none", "mean-dilatation"),
+        "seeding": ("gauss", "lattice"),
+    },
+}
+"""Words of each solver by option."""
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A solver's name, the kind of element of its mesh, and the options that differ from the solver's own."""
+
+    solver: str
+    kind: str = "quad4"
+    options: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def is_spatial(self) -> bool:
+        """Whether it simulates the bar in three dimensions."""
+        return self.kind in SPATIAL_KINDS
+
+
+def read_variant(name: str) -> Variant:
+    """The variant of that name; SceneError for an unknown solver or word, with the nearest one."""
+    solver, _, words = name.partition(":")
+    if solver not in WORDS:
+        raise SceneError(f"unknown method '{solver}'; {suggestion(solver, WORDS)}")
+    option_of = {word: option for option, known in WORDS[solver].items() for word in known}
+    option_of[SPATIAL] = KIND
+    given: dict[str, str] = {}
+    for word in words.split("+") if words else []:
+        if word not in option_of:
+            raise SceneError(f"{name}: {solver} knows no '{word}'; {suggestion(word, option_of)}")
+        option = option_of[word]
+        if option in given:
+            raise SceneError(f"{name}: '{given[option]}' and '{word}' exclude each other: keep one")
+        given[option] = word
+    kind = given.pop(KIND, "quad4")
+    return Variant(solver, "hex8" if kind == SPATIAL else kind, given)
