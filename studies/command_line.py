@@ -16,6 +16,7 @@ VERBS = {
     "scenes": "list the shipped scenes",
     "models": "list the material laws, or explain one",
     "bench": "measure the speed of this machine",
+    "study": "run a study of many problems and write its report: verification",
 }
 EXAMPLES = """examples:
   matpoint compare taylor-copper-jc --out results/copper

@@ -23,7 +23,7 @@ class Criterion:
     @property
     def met(self) -> bool:
         """Whether the value was measured and lies in its range; not a number lies in none."""
-        return self.value is not None and self.low <= self.value <= self.high
+        return self.value is not None and bool(self.low <= self.value <= self.high)
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """Manufactured solution: expanding ring."""
 
-from meshes.annulus import annulus
 from meshes.mesh import Mesh
+from studies.verification.bodies import ring
 from studies.verification.closed_forms.mms_ring import INNER, OUTER, RING
 from studies.verification.convergence import ManufacturedProblem, convergence
 from studies.verification.outcome import Outcome
@@ -14,7 +14,7 @@ QUICK_SIZES = (0.05, 0.04, 0.025, 0.02)
 
 def body(size: float, kind: str) -> Mesh:
     """The ring 0.4 <= R <= 0.6 m."""
-    return annulus(INNER, OUTER, size, kind)
+    return ring(INNER, OUTER, size, kind)
 
 
 def run(quick: bool) -> Outcome:

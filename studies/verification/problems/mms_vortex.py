@@ -1,7 +1,7 @@
 """Manufactured solution: generalized vortex."""
 
-from meshes.annulus import annulus
 from meshes.mesh import Mesh
+from studies.verification.bodies import ring
 from studies.verification.closed_forms.mms_vortex import INNER, OUTER, VORTEX
 from studies.verification.convergence import ManufacturedProblem, convergence
 from studies.verification.outcome import Outcome
@@ -14,7 +14,7 @@ QUICK_SIZES = (0.125, 0.1, 0.0625, 0.05)
 
 def body(size: float, kind: str) -> Mesh:
     """The annulus 0.75 <= R <= 1.25 m."""
-    return annulus(INNER, OUTER, size, kind)
+    return ring(INNER, OUTER, size, kind)
 
 
 def run(quick: bool) -> Outcome:

@@ -1,0 +1,108 @@
+"""The verification study: every problem, one report."""
+
+import math
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import asdict
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+from core_models.errors import SceneError, UnsupportedError
+from core_models.names import suggestion
+from studies.output_folder import OutputFolder
+from studies.run_record import to_json
+from studies.verification.outcome import Outcome
+from studies.verification.problem import Problem
+from studies.verification.report import Results, report_page
+from studies.versions import processor, versions
+
+PROBLEMS = {
+    "patch": ("patch", "PROBLEM"),
+    "rotation": ("rotation", "PROBLEM"),
+    "mms-vortex": ("mms_vortex", "PROBLEM"),
+    "mms-square": ("mms_axis_aligned", "SQUARE"),
+    "mms-cube": ("mms_axis_aligned", "CUBE"),
+    "mms-ring": ("mms_ring", "PROBLEM"),
+    "vibrating-bar": ("vibrating_bar", "PROBLEM"),
+    "spinning-disk": ("spinning_disk", "PROBLEM"),
+    "cell-crossing": ("cell_crossing", "PROBLEM"),
+    "cantilever": ("cantilever", "PROBLEM"),
+    "two-disks": ("two_disks", "PROBLEM"),
+    "plate-impact": ("plate_impact", "PROBLEM"),
+}
+"""Name of a problem: its module in `problems`, and its name there."""
+
+
+def find_problem(name: str) -> Problem:
+    """The problem of that name; SceneError with the nearest one otherwise."""
+    if name not in PROBLEMS:
+        raise SceneError(f"no verification problem is called {name!r}; {suggestion(name, PROBLEMS)}")
+    module, variable = PROBLEMS[name]
+    return getattr(import_module(f"studies.verification.problems.{module}"), variable)
+
+
+def verify(
+    names: Iterable[str],
+    quick: bool,
+    out: Path | str,
+    tell: Callable[[Problem, Outcome], None] = lambda problem, outcome: None,
+) -> Results:
+    """Run problems, in the order of their names here, and write results.json and report.html.
+
+    tell : called with every problem as soon as it has run. Raises SceneError, OutputError before anything is run.
+    """
+    problems = [find_problem(name) for name in names]
+    with OutputFolder(out) as folder:
+        results = []
+        for problem in problems:
+            outcome = timed(problem, quick)
+            results.append((problem, outcome))
+            tell(problem, outcome)
+        folder.write_text("results.json", to_json(_plain(results_entry(results, quick))))
+        try:
+            folder.write_text("report.html", report_page(results, quick))
+        except UnsupportedError as reason:
+            results[-1][1].remarks.append(f"{reason}; results.json is complete")
+    return results
+
+
+def timed(problem: Problem, quick: bool) -> Outcome:
+    """The outcome of a problem, with the seconds that it took."""
+    began = time.perf_counter()
+    outcome = problem.run(quick)
+    outcome.seconds = time.perf_counter() - began
+    return outcome
+
+
+def results_entry(results: Results, quick: bool) -> dict:
+    """The content of results.json."""
+    return {
+        "study": "verification",
+        "quick": quick,
+        "problems": [
+            {
+                "name": problem.name,
+                "title": problem.title,
+                "description": problem.description,
+                "source": problem.source,
+                "seconds": outcome.seconds,
+                "criteria": [asdict(each) | {"met": each.met} for each in outcome.criteria],
+                "tables": [asdict(each) for each in outcome.tables],
+                "plots": [asdict(each) for each in outcome.plots],
+                "remarks": outcome.remarks,
+            }
+            for problem, outcome in results
+        ],
+        "versions": versions(),
+        "processor": processor(),
+    }
+
+
+def _plain(content: Any) -> Any:
+    """The same without infinite numbers and NaN, which JSON does not have: they become null."""
+    if isinstance(content, dict):
+        return {name: _plain(value) for name, value in content.items()}
+    if isinstance(content, list | tuple):
+        return [_plain(value) for value in content]
+    return None if isinstance(content, float) and not math.isfinite(content) else content

@@ -1,0 +1,45 @@
+"""Numbers, criteria and outcomes as plain text."""
+
+import math
+
+from studies.display import ABSENT
+from studies.verification.outcome import Cell, Criterion, Outcome
+from studies.verification.problem import Problem
+
+DIGITS = 4
+
+
+def outcome_text(problem: Problem, outcome: Outcome) -> str:
+    """How many criteria of a problem are met, and those that are not."""
+    met = sum(criterion.met for criterion in outcome.criteria)
+    lines = [f"{problem.name}: {met} of {len(outcome.criteria)} criteria met, {outcome.seconds:.1f} s"]
+    lines += [f"  not met: {criterion_text(each)}" for each in outcome.criteria if not each.met]
+    return "\n".join(lines)
+
+
+def criterion_text(criterion: Criterion) -> str:
+    """What was asked, what was found and, if it is so, why nothing was."""
+    if criterion.value is None:
+        return f"{criterion.what}: not measured: {criterion.reason}"
+    unit = f" {criterion.unit}" if criterion.unit else ""
+    return f"{criterion.what}: {shown(criterion.value)}{unit} (wanted {_wanted(criterion)}{unit})"
+
+
+def shown(value: Cell) -> str:
+    """A cell of a table: words as they are, numbers to a few digits."""
+    if value is None:
+        return ABSENT
+    if isinstance(value, str):
+        return value
+    if isinstance(value, int):
+        return f"{value:,}"
+    if value == 0.0 or 1e-3 <= abs(value) < 1e5:
+        return f"{value:.{DIGITS}g}"
+    return f"{value:.{DIGITS - 2}e}"
+
+
+def _wanted(criterion: Criterion) -> str:
+    low, high = shown(criterion.low), shown(criterion.high)
+    if math.isinf(criterion.low):
+        return f"at most {high}"
+    return f"at least {low}" if math.isinf(criterion.high) else f"{low} to {high}"
