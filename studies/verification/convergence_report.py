@@ -77,7 +77,7 @@ def _error_table(done: Rows) -> Table:
         "Root-mean-square displacement error [m]",
         ("variant", *(f"h = {size:.4g} m" for size in sizes), "order", "largest, finest", "steps", "s"),
         tuple(rows),
-        "Errors of all nodes or all particles at the end; largest error, steps and seconds of stepping at the finest size.",
+        "All nodes or all particles at the end; largest error, steps and seconds of stepping at the finest size.",
     )
 
 

@@ -30,6 +30,11 @@ PROBLEMS = {
     "cantilever": ("cantilever", "PROBLEM"),
     "two-disks": ("two_disks", "PROBLEM"),
     "plate-impact": ("plate_impact", "PROBLEM"),
+    "cook-membrane": ("cook_membrane", "PROBLEM"),
+    "taylor-elements": ("taylor_elements", "PROBLEM"),
+    "taylor-quarter": ("taylor_quarter", "PROBLEM"),
+    "conduction": ("conduction", "PROBLEM"),
+    "speed": ("speed", "PROBLEM"),
 }
 """Name of a problem: its module in `problems`, and its name there."""
 

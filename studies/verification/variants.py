@@ -48,3 +48,22 @@ def transfers(dimension: int) -> list[Variant]:
     ]
     linear = {"interpolation": "linear", "configuration": "total"}
     return [*found, Variant("MPM linear, total", MPM, SEEDED[dimension], linear)]
+
+
+def cured(dimension: int) -> list[Variant]:
+    """What follows plastic flow without locking: every element with its own cure, MPM with mean dilatation."""
+    found = [Variant(f"FEM {kind}", FEM, kind) for kind in KINDS[dimension]]
+    kind = KINDS[dimension][0]
+    found.append(Variant(f"FEM {kind}, one point", FEM, kind, {"integration": "reduced"}))
+    options = {"interpolation": "quadratic", "cure": "mean-dilatation"}
+    return [*found, Variant("MPM quadratic, mean dilatation", MPM, SEEDED[dimension], options)]
+
+
+def uncured(dimension: int) -> list[Variant]:
+    """The same without a cure, and MPM as it is by itself."""
+    found = [Variant(f"FEM {kind}, no cure", FEM, kind, {"cure": "none"}) for kind in KINDS[dimension]]
+    return [
+        *found,
+        Variant("MPM quadratic", MPM, SEEDED[dimension]),
+        Variant("MPM linear", MPM, SEEDED[dimension], {"interpolation": "linear"}),
+    ]

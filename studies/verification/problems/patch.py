@@ -97,8 +97,8 @@ def _both(variant: Variant, geometry: str) -> tuple[float, float | None]:
 PROBLEM = Problem(
     "patch",
     "Patch tests",
-    "Distorted blocks in a linear velocity field: every point's deformation gradient is exact, at boundaries and on the "
-    "axis too, for every element and every interpolation. Elements under uniform strain leave no force on nodes inside.",
+    "Distorted blocks in a linear velocity field: every point's deformation gradient is exact, at boundaries and on "
+    "the axis too, for every element and interpolation. Elements under uniform strain leave no force on nodes inside.",
     "Irons",
     run,
 )

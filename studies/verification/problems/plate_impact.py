@@ -154,8 +154,9 @@ def _front(height: np.ndarray, stress: np.ndarray, level: float) -> float:
 def _note(cells: int) -> str:
     return (
         f"{cells} cells along {LENGTH * 1e3:g} mm, bulk viscosity {VISCOSITY.linear:g} linear and "
-        f"{VISCOSITY.quadratic:g} quadratic. Means over {PLATEAU[0]:.0%} to {PLATEAU[1]:.0%} of the front's way from the "
-        "wall; the rest is the heated wall and the front itself. The overshoot is the largest stress there and in the front."
+        f"{VISCOSITY.quadratic:g} quadratic. Means over {PLATEAU[0]:.0%} to {PLATEAU[1]:.0%} of the front's way from "
+        "the wall; the rest is the heated wall and the front itself. The overshoot is the largest stress beyond the "
+        "heated wall."
     )
 
 
@@ -194,9 +195,9 @@ def _profile(done: dict, speed: float) -> Plot:
 PROBLEM = Problem(
     "plate-impact",
     "Plate impact in copper",
-    "A layer of copper meets a rigid wall, which is half of a symmetric impact at twice the speed: elastic precursor and "
-    "plastic shock at 100 and 500 m/s, one shock at 1,000 m/s. Stress, pressure, density and the front's speed against "
-    "the jump conditions.",
+    "A layer of copper meets a rigid wall, which is half of a symmetric impact at twice the speed: elastic precursor "
+    "and plastic shock at 100 and 500 m/s, one shock at 1,000 m/s. Stress, pressure, density and the front's speed "
+    "against the jump conditions.",
     "Rankine-Hugoniot with Mie-Grüneisen (C0 3940 m/s, S 1.489, Gamma0 2.02) and a flow stress of 90 MPa",
     run,
 )

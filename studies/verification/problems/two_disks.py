@@ -89,8 +89,9 @@ def run(quick: bool) -> Outcome:
         "momentum",
     )
     note = (
-        f"Kinetic energies relative to the start. Round disks have {KINETIC} J and would touch at {GEOMETRIC_CONTACT} s; "
-        "in one velocity field they feel each other as soon as they share nodes, earlier by the width of the shape functions."
+        f"Kinetic energies relative to the start. Round disks have {KINETIC} J and would touch at "
+        f"{GEOMETRIC_CONTACT} s; in one velocity field they feel each other as soon as they share nodes, earlier by the "
+        "width of the shape functions."
     )
     outcome.tables.append(Table("Energies and momentum", head, tuple(rows), note))
     outcome.plots = [_energies(done, name) for name in ("kinetic", "strain")]
@@ -107,8 +108,8 @@ def _energies(done: dict, name: str) -> Plot:
 PROBLEM = Problem(
     "two-disks",
     "Two elastic disks",
-    "Two disks fly at each other, are squeezed, and part. In one velocity field contact comes by itself. Momentum stays "
-    "zero, total energy is kept, and the kinetic energy comes back but for what the disks keep swinging with.",
+    "Two disks fly at each other, are squeezed, and part. In one velocity field contact comes by itself. Momentum "
+    "stays zero, total energy is kept, and the kinetic energy comes back but for what the disks keep swinging with.",
     "Sulsky, Chen & Schreyer, Comput. Methods Appl. Mech. Eng. 118 (1994) 179-196",
     run,
 )

@@ -1,0 +1,117 @@
+"""Locking in Cook's membrane with plastic flow."""
+
+import numpy as np
+
+from core_models.elasticity.isotropic import IsotropicElastic
+from core_models.eos.neo_hookean import NeoHookean
+from core_models.flow.voce import Voce
+from core_models.loads import Damping, Fixed, Traction
+from core_models.material import Material
+from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
+from core_models.yield_condition.von_mises import VonMises
+from meshes.cook import cook
+from meshes.mesh import Mesh
+from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
+from studies.verification.problem import Problem
+from studies.verification.variant import FEM, MPM, Variant, attempt, run_until
+from studies.verification.variants import cured, uncured
+
+DENSITY, BULK, SHEAR = 7800.0, 164.206e9, 80.1938e9  # E = 206.9 GPa, nu = 0.29
+FLOW = Voce(0.45e9, 0.715e9, 16.93, 0.12924e9)
+TRACTION = 0.3125e9  # Pa, upwards on the end of 16 mm: 5 kN per mm
+PUBLISHED = (6.97e-3, 7.09e-3)  # m, rise of the upper corner of the end
+TOLERANCE = 0.03
+RAMP, END = 1.2e-3, 1.8e-3  # s, growth of the force and end; the first elastic period is some 70 µs
+DAMPING = 3e4  # 1/s, about critical for the yielding membrane
+COUNTS = {False: (4, 8, 16), True: (4, 8)}
+
+
+def body(size: float, kind: str) -> Mesh:
+    """The membrane; `size` is that of the cells at the held end."""
+    count = round(44e-3 / size)
+    return cook([count, count], kind)
+
+
+def steel() -> Material:
+    """The hardening steel of the necking bar."""
+    return Material(
+        "steel",
+        DENSITY,
+        HyperelasticPlastic(),
+        IsotropicElastic(BULK, SHEAR),
+        NeoHookean(BULK),
+        FLOW,
+        VonMises(),
+    )
+
+
+def rise(variant: Variant, count: int) -> float:
+    """Rise of the upper corner of the sheared end [m], at rest."""
+
+    def traction(places: np.ndarray, time: float) -> np.ndarray:
+        share = min(time / RAMP, 1.0)
+        return np.tile([0.0, TRACTION * share**2 * (3.0 - 2.0 * share)], (len(places), 1))
+
+    solver = variant.solver(
+        body,
+        steel(),
+        44e-3 / count,
+        geometry="plane-strain",
+        loads=(Fixed("left"), Traction("right", traction), Damping(DAMPING)),
+    )
+    start = solver.boundary_positions("right")
+    corner = int(start[:, 1].argmax())
+    run_until(solver, END)
+    return float(solver.boundary_positions("right")[corner, 1] - start[corner, 1])
+
+
+def run(quick: bool) -> Outcome:
+    """Every element and interpolation with and without its cure."""
+    counts, right, locked = COUNTS[quick], cured(2), uncured(2)
+    done, refused = attempt([*right, *locked], lambda variant: [rise(variant, count) for count in counts])
+    outcome = Outcome()
+    for variant in right:
+        if variant.label in done:
+            off = _outside(done[variant.label][-1])
+            outcome.criteria.append(
+                Criterion(
+                    f"rise, {variant.label}, {counts[-1]} cells",
+                    100.0 * off, -100.0 * TOLERANCE, 100.0 * TOLERANCE, "% outside the published range",
+                )
+            )  # fmt: skip
+    outcome.criteria += [
+        Criterion(f"rise, {each.variant.label}", None, high=0.0, reason=each.reason) for each in refused
+    ]
+    rows = tuple((label, *(1e3 * value for value in values)) for label, values in done.items())
+    head = ("variant", *(f"{count} × {count}" for count in counts))
+    note = f"Published, converged: {1e3 * PUBLISHED[0]:g} to {1e3 * PUBLISHED[1]:g} mm."
+    outcome.tables.append(Table("Rise of the corner [mm]", head, rows, note))
+    outcome.plots = [_plot(done, counts, family) for family in (FEM, MPM)]
+    return outcome
+
+
+def _outside(value: float) -> float:
+    """How far a value lies outside the published range, relative to its nearer end."""
+    low, high = PUBLISHED
+    return value / low - 1.0 if value < low else max(value / high - 1.0, 0.0)
+
+
+def _plot(done: dict, counts: tuple[int, ...], family: str) -> Plot:
+    ends = (counts[0], counts[-1])
+    curves = [Curve("published", ends, (1e3 * level, 1e3 * level), "exact") for level in PUBLISHED]
+    curves += [
+        Curve(label, counts, tuple(1e3 * value for value in values), family)
+        for label, values in done.items()
+        if label.lower().startswith(family)
+    ]
+    return Plot(f"Cook's membrane, {family.upper()}", "cells on a side", "rise [mm]", tuple(curves))
+
+
+PROBLEM = Problem(
+    "cook-membrane",
+    "Cook's membrane with plastic flow",
+    "A tapered panel in plane strain, held at one end and sheared at the other far into plastic flow: bending and "
+    "constant volume together, on skewed cells. Loaded slowly and damped.",
+    "Simo & Armero, Int. J. Num. Meth. Eng. 33 (1992) 1413; Cesar de Sa, Areias & Natal Jorge, ibid. 51 (2001) 883",
+    run,
+)
