@@ -1,8 +1,9 @@
 """Manufactured solution: axis-aligned displacement of a square and of a cube."""
 
 from core_models.loads import Symmetry
-from meshes.block import SIDES, block
+from meshes.block import block
 from meshes.mesh import Mesh
+from meshes.patch import SIDES
 from studies.verification.closed_forms.mms_axis_aligned import AXIS_ALIGNED
 from studies.verification.convergence import ManufacturedProblem, convergence
 from studies.verification.outcome import Outcome

@@ -90,8 +90,8 @@ def run(quick: bool) -> Outcome:
     )
     note = (
         f"Kinetic energies relative to the start. Round disks have {KINETIC} J and would touch at "
-        f"{GEOMETRIC_CONTACT} s; in one velocity field they feel each other as soon as they share nodes, earlier by the "
-        "width of the shape functions."
+        f"{GEOMETRIC_CONTACT} s; in one velocity field they feel each other as soon as they share nodes, earlier by "
+        "the width of the shape functions."
     )
     outcome.tables.append(Table("Energies and momentum", head, tuple(rows), note))
     outcome.plots = [_energies(done, name) for name in ("kinetic", "strain")]
