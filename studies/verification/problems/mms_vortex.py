@@ -9,7 +9,7 @@ from studies.verification.problem import Problem
 from studies.verification.variants import CONTROL, elements, interpolations, transfers
 
 SIZES = (0.05, 0.025, 1.0 / 60.0, 0.0125)  # m
-QUICK_SIZES = (0.05, 0.04, 0.03125, 0.025)
+QUICK_SIZES = (0.05, 0.5 / 12.0, 0.03125, 0.025)
 
 
 def body(size: float, kind: str) -> Mesh:
