@@ -1,5 +1,6 @@
-"""The bare driver: one material point along a prescribed deformation path, without mesh or grid."""
+"""The bare driver: one material point along a deformation path or a loading program, without mesh or grid."""
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -7,12 +8,14 @@ from numpy.typing import ArrayLike
 
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.errors import RunFailure, SceneError
+from core_models.loading_program import Program
+from core_models.loading_step import TRIALS, SegmentLoading, UnmetControls
 from core_models.material import Material
 from core_models.points import MaterialPoints, PointFailure
 
 
 class History(NamedTuple):
-    """What a point went through; row i belongs to the path's deformation gradient i, row 0 is the start.
+    """What a point went through; row i belongs to the end of step i of the path or program, row 0 is the start.
 
     times : (k,) [s]. fields : every field of the point's state by name, (k, ...), in the units of
     `MaterialPoints.fields`. stress_work, plastic, viscous : (k,) work of the stress, plastic dissipation and work of
@@ -30,6 +33,22 @@ class History(NamedTuple):
     def stress(self) -> np.ndarray:
         """Cauchy stress (k, 6) [Pa], components 11, 22, 33, 12, 23, 31."""
         return self.fields["stress"]
+
+    @property
+    def deformation_gradient(self) -> np.ndarray:
+        """F (k, 3, 3) [-]."""
+        return self.fields["deformation_gradient"]
+
+    @property
+    def pressure(self) -> np.ndarray:
+        """-(s11 + s22 + s33) / 3 (k,) [Pa], positive in compression."""
+        return -self.stress[:, :3].mean(axis=1)
+
+    @property
+    def mises(self) -> np.ndarray:
+        """von Mises' equivalent stress sqrt(3/2 s:s) (k,) [Pa]."""
+        normal = self.stress[:, :3] + self.pressure[:, None]
+        return np.sqrt(1.5 * (normal**2).sum(axis=1) + 3.0 * (self.stress[:, 3:] ** 2).sum(axis=1))
 
 
 def drive(
@@ -73,6 +92,43 @@ def drive(
     return history
 
 
+def drive_program(material: Material, program: Program, *, temperature: float | None = None) -> History:
+    """Lead one stress-free point through a loading program with the kernel that the solvers run.
+
+    Parameters
+    ----------
+    material : laws; `isothermal(material)` leaves the heating out. program : see core_models.loading_program.
+    temperature : at the start [K]; None for the material's room temperature.
+
+    The states are those that `drive` finds along the deformation of the history, bit for bit, where no step had to
+    be halved.
+
+    Raises
+    ------
+    SceneError : a segment that deforms too much in a step, or to no volume.
+    RunFailure : a step whose controls no deformation was found to meet; names step, components and what is missed.
+    """
+    points = MaterialPoints(material, np.r_[1.0, np.zeros(TRIALS - 1)], temperature)
+    history = _empty_history(points, program.time_steps)
+    _record(history, 0, points, np.zeros(3))
+    row = 0
+    for number, segment in enumerate(program.segments, 1):
+        loading = SegmentLoading(points, segment, number)
+        for step in range(segment.steps):
+            row += 1
+            try:
+                stress_work, plastic = loading.advance(step, step + 1)
+            except (PointFailure, UnmetControls) as reason:
+                raise _failure(material, reason, row, history.times[row]) from reason
+            _record(history, row, points, np.array([stress_work, plastic, 0.0]))
+    return history
+
+
+def isothermal(material: Material) -> Material:
+    """The material without heating by plastic work: its temperature stays what it was at the start."""
+    return replace(material, heating=None)
+
+
 def _checked(deformation_gradients: ArrayLike, time_steps: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     path = np.asarray(deformation_gradients, dtype=np.float64)
     if path.ndim != 3 or path.shape[1:] != (3, 3) or not np.array_equal(path[:1], np.eye(3)[None]):
@@ -105,7 +161,7 @@ def _record(history: History, row: int, points: MaterialPoints, work: np.ndarray
     history.wave_speed[row] = points.wave_speed[0]
 
 
-def _failure(material: Material, reason: PointFailure, step: int, time: float) -> RunFailure:
+def _failure(material: Material, reason: Exception, step: int, time: float) -> RunFailure:
     laws = ", ".join(type(law).__name__ for law in material.laws)
     return RunFailure(
         f"step {step}, t = {time:.6e} s: {reason} (material {material.name}: {laws}); "
