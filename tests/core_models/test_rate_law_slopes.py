@@ -95,10 +95,10 @@ def kink_pairs(law, rate, temperature):
 
 def preston_tonks_wallace(law, _variable, strain, rate, temperature):
     """Flow stress [Pa] below melting."""
-    mu = law.G0 * (1.0 - law.alphap * temperature / law.T_m)
+    mu = law.G0 * (1.0 - law.alphap * temperature / law.melting_temperature)
     atoms = law.density / (law.M * ATOMIC_MASS)
     e = rate / (0.5 * (4.0 * cmath.pi / 3.0 * atoms) ** (1.0 / 3.0) * cmath.sqrt(mu / law.density))
-    x = larger(law.kappa * temperature / law.T_m * cmath.log(law.gamma / e), 0j)
+    x = larger(law.kappa * temperature / law.melting_temperature * cmath.log(law.gamma / e), 0j)
     drag = law.s0 * (e / law.gamma) ** law.beta
     s = larger(law.s0 - (law.s0 - law.sinf) * erf(x), drag)
     y = larger(law.y0 - (law.y0 - law.yinf) * erf(x), smaller(law.y1 * (e / law.gamma) ** law.y2, drag))
@@ -240,7 +240,9 @@ def test_pressure_scales_modulus_and_melting(law):
         )
     else:
         modulus = law.G0 * (1.0 + law.slope_mu_p_over_mu0 * pressure / ratio ** (1 / 3))
-        assert there == law._replace(G0=pytest.approx(modulus), density=law.density * ratio, T_m=melting)
+        assert there == law._replace(
+            G0=pytest.approx(modulus), density=law.density * ratio, melting_temperature=melting
+        )
     at_rest = under_pressure(law, 1.0, 0.0, np.inf)
     assert flow_stress(at_rest, *state) == pytest.approx(flow_stress(law, *state), rel=1e-13)
 

@@ -41,7 +41,7 @@ THERMAL_VOCE = ThermalVoce(450e6, 715e6, 16.93, 129.24e6, 0.002, 0.002, 293.15)
 
 def preston_with_nadal_le_poac(temperature):
     """The law with the modulus of Nadal and Le Poac at a temperature, as the table's author combined them."""
-    modulus = shear_modulus(NADAL, 1.0, temperature, 0.0, PRESTON.T_m)[0]
+    modulus = shear_modulus(NADAL, 1.0, temperature, 0.0, PRESTON.melting_temperature)[0]
     return PRESTON._replace(G0=modulus, alphap=0.0)
 
 
@@ -216,7 +216,7 @@ def test_stress_grows_with_the_rate_and_continuously(law):
 @pytest.mark.parametrize("law", [OFHC, PRESTON], ids=lambda law: type(law).__name__)
 def test_no_strength_at_and_above_melting(law):
     """From the law's own melting temperature on it is exactly 0, just below it is not."""
-    melting = law.T_m if isinstance(law, PrestonTonksWallace) else law.T_m0
+    melting = law.melting_temperature if isinstance(law, PrestonTonksWallace) else law.T_m0
     assert flow_stress(law, 0.0, 0.1, 1e3, melting) == (0.0, 0.0, 0.0, 0.0, 0.0)
     assert flow_stress(law, 0.0, 0.1, 1e3, 2.0 * melting)[0] == 0.0
     assert flow_stress(law, 0.0, 0.1, 1e3, 0.999 * melting)[0] > 1e6
