@@ -51,20 +51,20 @@ LARGEST_EXPONENT = 300.0  # of z^m, so that its square is a number
 
 
 @inside_kernel
-def _logarithm_of_z(flow, rate, temperature):
-    return logarithm(rate / flow.A) + flow.Q_over_R / max(temperature, LOWEST_TEMPERATURE)
+def _logarithm_of_z(flow, rate, kelvin):
+    return logarithm(rate / flow.A) + flow.Q_over_R / kelvin
 
 
 @flow_stress.register(Anand)
 def _(flow, hardening_variable, plastic_strain, plastic_rate, temperature):
-    rate = max(plastic_rate, LOWEST_RATE)
-    exponent = min(flow.m * _logarithm_of_z(flow, rate, temperature), LARGEST_EXPONENT)
+    rate, kelvin = max(plastic_rate, LOWEST_RATE), max(temperature, LOWEST_TEMPERATURE)
+    exponent = min(flow.m * _logarithm_of_z(flow, rate, kelvin), LARGEST_EXPONENT)
     ratio = exponential(exponent)
     share = math.asinh(ratio) / flow.xi
     is_free = exponent < LARGEST_EXPONENT
     by_exponent = ratio / math.sqrt(1.0 + ratio * ratio) / flow.xi if is_free else 0.0
     by_rate = flow.m * by_exponent / rate
-    by_temperature = -flow.m * by_exponent * flow.Q_over_R / (temperature * temperature)
+    by_temperature = -flow.m * by_exponent * flow.Q_over_R / (kelvin * kelvin)
     is_straight = plastic_rate < LOWEST_RATE
     by_rate = share / rate if is_straight else by_rate
     by_temperature = by_temperature if temperature > LOWEST_TEMPERATURE else 0.0
@@ -83,8 +83,8 @@ def _(flow, hardening_variable, strain_increment, plastic_rate, temperature):
     """w = 1 - s / s* solves dw / d ep = -(h_0 / s*) |w|^a sign(w): w_1 = w_0 [1 + (a - 1) q]^(-1/(a - 1)),
     q = |w_0|^(a - 1) h_0 dep / s*.
     """
-    rate = max(plastic_rate, LOWEST_RATE)
-    target = flow.s_hat * exponential(flow.n * _logarithm_of_z(flow, rate, temperature))
+    rate, kelvin = max(plastic_rate, LOWEST_RATE), max(temperature, LOWEST_TEMPERATURE)
+    target = flow.s_hat * exponential(flow.n * _logarithm_of_z(flow, rate, kelvin))
     distance = 1.0 - hardening_variable / target
     size = abs(distance)
     advance = flow.h_0 * strain_increment / target

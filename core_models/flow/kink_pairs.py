@@ -7,7 +7,7 @@ from core_models.elementary import exponential, logarithm
 
 LOWEST_RATE = 1e-10  # 1/s; below it the stress is some 1e-6 Pa and a straight line
 LOWEST_TEMPERATURE = 1.0  # K
-SMALLEST = 1e-300  # keeps a division from failing whose result is not used
+SMALLEST = 1e-12  # keeps a division from failing whose result is not used
 STEPS = 8  # to round-off: the error of S is at most 1 at the start
 
 

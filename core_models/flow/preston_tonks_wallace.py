@@ -24,7 +24,8 @@ class PrestonTonksWallace(NamedTuple):
     Parameters
     ----------
     theta, p, s0, sinf, kappa, gamma, y0, yinf, y1, y2, beta, alphap : [-]. M : atomic mass [u]. G0 : [Pa].
-    slope_mu_p_over_mu0 : (dmu/dP) / G0 [1/Pa]. density : rho_0 [kg/m^3]. T_m : melting temperature [K].
+    slope_mu_p_over_mu0 : (dmu/dP) / G0 [1/Pa]. density : rho_0 [kg/m^3].
+    melting_temperature : T_m [K].
 
     Variant: plastic rate, not below 1e-8 /s; x is not below 0; the branches (e / gamma)^... of the overdriven regime
     hold at every rate, as in the paper (Uintah: above 1e3 /s only); no strength at and above T_m.
@@ -47,7 +48,7 @@ class PrestonTonksWallace(NamedTuple):
     alphap: float
     slope_mu_p_over_mu0: float
     density: float
-    T_m: float
+    melting_temperature: float
 
     uses_temperature = True
 
@@ -110,13 +111,13 @@ def _hardened(flow, s, y, strain):
 
 @flow_stress.register(PrestonTonksWallace)
 def _(flow, hardening_variable, plastic_strain, plastic_rate, temperature):
-    if temperature >= flow.T_m:
+    if temperature >= flow.melting_temperature:
         return 0.0, 0.0, 0.0, 0.0, 0.0
     rate = max(plastic_rate, LOWEST_RATE)
-    homologous = max(temperature, LOWEST_TEMPERATURE) / flow.T_m
+    homologous = max(temperature, LOWEST_TEMPERATURE) / flow.melting_temperature
     softening = 1.0 - flow.alphap * homologous
     mu = flow.G0 * max(softening, SOFTEST)
-    mu_by_t = -flow.G0 * flow.alphap / flow.T_m if softening > SOFTEST else 0.0
+    mu_by_t = -flow.G0 * flow.alphap / flow.melting_temperature if softening > SOFTEST else 0.0
     atoms = flow.density / (flow.M * ATOMIC_MASS)
     frequency = 0.5 * power(4.0 * math.pi / 3.0 * atoms, 1.0 / 3.0) * math.sqrt(mu / flow.density)
     e = rate / frequency
@@ -126,7 +127,7 @@ def _(flow, hardening_variable, plastic_strain, plastic_rate, temperature):
     tau, by_strain, by_s, by_y = _hardened(flow, s, y, plastic_strain)
     by_e, by_x = by_s * s_by_e + by_y * y_by_e, by_s * s_by_x + by_y * y_by_x
     x_by_e = -flow.kappa * homologous if height > 0.0 else 0.0
-    x_by_t = flow.kappa * height / flow.T_m if height > 0.0 else 0.0
+    x_by_t = flow.kappa * height / flow.melting_temperature if height > 0.0 else 0.0
     by_e += by_x * x_by_e
     by_temperature = by_x * x_by_t - 0.5 * by_e * mu_by_t / mu
     by_rate = by_e / rate if plastic_rate > LOWEST_RATE else 0.0
@@ -145,5 +146,5 @@ def _(flow, density_ratio, pressure, melting):
     return PrestonTonksWallace(
         flow.theta, flow.p, flow.s0, flow.sinf, flow.kappa, flow.gamma, flow.y0, flow.yinf, flow.y1, flow.y2,
         flow.beta, flow.M, flow.G0 * max(stiffening, SOFTEST), flow.alphap, flow.slope_mu_p_over_mu0,
-        flow.density * density_ratio, melting if melting < math.inf else flow.T_m,
+        flow.density * density_ratio, melting if melting < math.inf else flow.melting_temperature,
     )  # fmt: skip

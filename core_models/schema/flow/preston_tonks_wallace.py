@@ -29,7 +29,9 @@ PRESTON_TONKS_WALLACE = ModelSchema(
         ALPHAP,
         SLOPE,
         Parameter("density", "kg/m^3", POSITIVE, "density at rest", fallback="density"),
-        Parameter("T_m", "K", POSITIVE, "melting temperature", fallback="melt_temp"),
+        Parameter(
+            "T_m", "K", POSITIVE, "melting temperature", feeds="melting_temperature", fallback="melt_temp"
+        ),
     ),
     inert=(ALPHA,),
 )
