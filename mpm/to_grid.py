@@ -70,12 +70,9 @@ def to_grid(
                 volume * (stress[p, 2] - q),
             )
             t_xy, t_yz, t_zx = volume * stress[p, 3], volume * stress[p, 4], volume * stress[p, 5]
-            pull_x, pull_y, pull_z = (
-                lanes(t_xx, t_xy, t_zx, 0.0),
-                lanes(t_xy, t_yy, t_yz, 0.0),
-                lanes(t_zx, t_yz, t_zz, 0.0),
-            )
-            load_ = force_on(forces, geometry, p) + hoop_force(geometry, positions, p, t_zz)
+            pull_x, pull_y = lanes(t_xx, t_xy, t_zx, 0.0), lanes(t_xy, t_yy, t_yz, 0.0)
+            pull_z = lanes(t_zx, t_yz, t_zz, 0.0)
+            carried = force_on(forces, geometry, p) + hoop_force(geometry, positions, p, t_zz)
             for c in range(depth):
                 n_z, s_z = stencil[WEIGHTS + 4 * c + 2], stencil[SLOPES + 4 * c + 2]
                 at_z = fused(stencil[OFFSETS + 4 * c + 2], spin_z, momentum)
