@@ -21,6 +21,9 @@ FACES = {"tri": (0, 1, 2), "quad": (0, 1, 2, 3), "tet": (3, 0, 1, 2), "hex": (4,
 ORDERS = {"line3": (0, 2, 1), "hex27": (*range(20), 26, 24, 23, 25, 21, 22, 20)}
 """Places in Abaqus's elements of the nodes in VTK's order, where these differ."""
 
+LONGEST_RANGE = 10**7
+"""Of node or element numbers in one set, beyond which a file is taken for damaged."""
+
 _TYPE = re.compile(r"(CPS|CPE|CAX|DC2D|DCAX|M3D|SFM3D|R3D|STRI|S|DC3D|C3D|T2D|T3D|B2|B3)(\d+?)(?:[5A-Z]\w*)?")
 _SOLID = {"4": "tet4", "8": "hex8", "10": "tet10", "20": "hex20", "27": "hex27"}
 _PLANE = {"3": "tri3", "4": "quad4", "6": "tri6", "8": "quad8", "9": "quad9"}
@@ -126,7 +129,7 @@ class _Reader:
         if card.parameters.get("SYSTEM", "R").upper() != "R":
             raise ValueError("coordinates that are not rectangular")
         for entries in card.data:
-            number, values = int(entries[0]), [float(entry or 0.0) for entry in entries[1:4]]
+            number, values = int(entries[0]), [_number(entry) for entry in entries[1:4]]
             if len(values) < 2:
                 raise ValueError(f"node {number} has {len(values)} coordinates")
             place = np.array([*values, 0.0][:3])
@@ -137,7 +140,7 @@ class _Reader:
             self._add(self._node_sets, card.parameters.get("NSET"), [number])
 
     def _elements(self, card: _Card) -> None:
-        kind = element_type(card.parameters.get("TYPE", ""))
+        kind = element_type(_name(card, "TYPE"))
         nodes = FACET_NODES.get(kind, KINDS[kind].reference_nodes if kind in KINDS else None)
         rows = _rows(card.data, None if nodes is None else len(nodes) + 1)
         numbers = [row[0] for row in rows]
@@ -187,7 +190,7 @@ class _Reader:
         """The numbers that a set lists, by themselves, as ranges, or as sets."""
         if "GENERATE" in card.parameters:
             ranges = ([int(entry) for entry in entries] for entries in card.data)
-            return [n for first, last, *step in ranges for n in range(first, last + 1, *step)]
+            return [number for limits in ranges for number in _range(limits)]
         members = []
         for entry in (entry for entries in card.data for entry in entries if entry):
             if entry.isdecimal():
@@ -248,6 +251,18 @@ def _rows(data: list[list[str]], length: int | None) -> list[list[int]]:
     if len(flat) % length:
         raise ValueError(f"{len(flat)} numbers do not make elements of {length - 1} nodes")
     return [flat[start : start + length] for start in range(0, len(flat), length)]
+
+
+def _number(text: str) -> float:
+    """A number as Fortran writes it; an empty place is 0."""
+    return float(text.replace("D", "E").replace("d", "e") or 0.0)
+
+
+def _range(limits: list[int]) -> range:
+    """The numbers from the first to the last, by the step if there is one."""
+    if len(limits) not in (2, 3) or limits[1] - limits[0] > LONGEST_RANGE:
+        raise ValueError(f"{limits} is no range of numbers")
+    return range(limits[0], limits[1] + 1, *limits[2:])
 
 
 def _name(card: _Card, key: str) -> str:

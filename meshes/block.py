@@ -8,7 +8,9 @@ from core_models.errors import MeshError
 from meshes.kinds import KINDS, find_kind
 from meshes.mesh import Mesh
 from meshes.parameters import check_counts
-from meshes.patch import even_patch
+from meshes.patch import SIDES, even_patch
+
+__all__ = ["SIDES", "block"]
 
 
 def block(

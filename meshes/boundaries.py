@@ -46,10 +46,15 @@ def owned_facets(
     owners = {}
     for name, nodes in named.items():
         wanted = np.asarray(nodes)
-        if wanted.ndim != 2 or wanted.shape[1] < facets.corners or len(wanted) == 0:
+        if (
+            wanted.ndim != 2
+            or wanted.shape[1] < facets.corners
+            or len(wanted) == 0
+            or wanted.dtype.kind not in "iu"
+        ):
             raise MeshError(
-                f"the boundary '{name}' has the shape {wanted.shape}, not (k, {facets.nodes.shape[1]}) "
-                "with k > 0; give the nodes of each facet, or leave the name out"
+                f"the boundary '{name}' has the shape {wanted.shape} and type {wanted.dtype}, not whole numbers "
+                f"(k, {facets.nodes.shape[1]}) with k > 0; give the nodes of each facet, or leave the name out"
             )
         found = match(facets, wanted)
         for wrong, why in (

@@ -8,7 +8,7 @@ from core_models.errors import MeshError
 from meshes.butterfly import quarter_disk
 from meshes.kinds import find_kind
 from meshes.mesh import Mesh
-from meshes.parameters import check_length, check_point
+from meshes.parameters import check_length, check_point, check_total
 from meshes.patch import Patch, weld
 
 
@@ -22,6 +22,7 @@ def disk(radius: float, size: float, kind: str = "quad4", centre: Sequence[float
     find_kind(kind, 2)
     check_length("disk", "radius", radius)
     check_length("disk", "size", size)
+    check_total("disk", 3.0 * (radius / size) ** 2)
     if size > radius:
         raise MeshError(f"disk: size is {size:g}, the radius {radius:g}; give a smaller size")
     middle = check_point("disk", "centre", centre, 2)

@@ -41,12 +41,17 @@ def match(facets: Facets, wanted: np.ndarray) -> np.ndarray:
 
     Of a facet between two cells that of either is returned.
     """
-    count = len(facets.nodes)
-    both = np.concatenate([facets.nodes[:, : facets.corners], wanted[:, : facets.corners]])
-    key, _ = _numbered(both, int(both.max()) + 1)
-    number = np.full(int(key.max()) + 1, -1)
-    number[key[:count]] = np.arange(count)
-    return number[key[count:]]
+    count = int(facets.nodes.max()) + 1
+    there = ((wanted >= 0) & (wanted < count))[:, : facets.corners].all(axis=1)
+    wanted = np.where(there[:, None], wanted[:, : facets.corners], 0)
+    near = np.zeros(count, dtype=bool)
+    near[wanted] = True
+    candidates = np.flatnonzero(near[facets.nodes[:, : facets.corners]].all(axis=1))
+    both = np.concatenate([facets.nodes[candidates, : facets.corners], wanted])
+    key, _ = _numbered(both, count)
+    number = np.full(len(both), -1)
+    number[key[: len(candidates)]] = candidates
+    return np.where(there, number[key[len(candidates) :]], -1)
 
 
 def facet_vectors(corners: np.ndarray) -> np.ndarray:
@@ -86,8 +91,12 @@ def _check_sides(points: np.ndarray, facets: Facets) -> None:
     if len(shared) == 0:
         return
     pairs = shared[np.argsort(facets.key[shared], kind="stable")].reshape(-1, 2)
-    vectors = facet_vectors(points[facets.nodes[:, : facets.corners]])
-    folded = np.einsum("ki,ki->k", vectors[pairs[:, 0]], vectors[pairs[:, 1]]) >= 0.0
+    one, other = facets.nodes[pairs[:, 0], : facets.corners], facets.nodes[pairs[:, 1], : facets.corners]
+    if facets.corners == 2:
+        folded = one[:, 0] == other[:, 0]
+    else:
+        start = (other == one[:, :1]).argmax(axis=1)
+        folded = other[np.arange(len(other)), (start + 1) % facets.corners] != one[:, -1]
     if folded.any():
         which = facets.nodes[pairs[folded.argmax(), 0], : facets.corners]
         raise MeshError(

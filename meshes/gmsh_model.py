@@ -47,13 +47,19 @@ def gmsh_model(name: str) -> Iterator[ModuleType]:
     """Give gmsh with a new, empty, current model; afterwards everything is as it was before.
 
     Works from any thread, touches no signal handler, prints nothing, and keeps what the caller has open.
-    Raises MeshError when gmsh cannot be loaded.
+    Raises MeshError when gmsh cannot be loaded, and in place of gmsh's errors.
     """
     gmsh = _load_gmsh()
     with _ONE_AT_A_TIME, _opened(gmsh):
         gmsh.model.add(name)
         try:
             yield gmsh
+        except Exception as error:
+            if type(error) is not Exception:  # gmsh's own
+                raise
+            raise MeshError(
+                f"{name}: gmsh cannot mesh it ({error}); change sizes, counts or grading"
+            ) from None
         finally:
             gmsh.model.remove()
 

@@ -104,10 +104,11 @@ def write_domains_vtu(path: Path | str, domains: np.ndarray, cell_data: Mapping[
             f"{path}: domains have the shape {domains.shape}; give (n, 4, 2), (n, 3, 2), (n, 8, 3) or (n, 4, 3)"
         )
     count, corners, _ = domains.shape
+    cell_data = {name: np.atleast_1d(values) for name, values in cell_data.items()}
     for name, values in cell_data.items():
         if len(values) != count:
             raise MeshError(f"{path}: '{name}' has {len(values)} rows for {count} domains; give one row each")
-    columns = {name: [_vtk_column(np.asarray(values))] for name, values in cell_data.items()}
+    columns = {name: [_vtk_column(values)] for name, values in cell_data.items()}
     cells = [(_DOMAINS[domains.shape[1:]], np.arange(corners * count).reshape(count, corners))]
     file = meshio.Mesh(_spatial(domains.reshape(-1, domains.shape[2])), cells, cell_data=columns)
     with replacing(path) as temporary:

@@ -18,6 +18,18 @@ def jacobian_matrices(name: str, nodes: np.ndarray, places: np.ndarray) -> np.nd
     return np.einsum("eai,qak->eqik", nodes, shape_gradients(name, places), optimize=True)
 
 
+def determinants(matrices: np.ndarray) -> np.ndarray:
+    """Determinants (...) of matrices (..., d, d), d = 2 or 3."""
+    m = np.moveaxis(matrices, (-2, -1), (0, 1))
+    if len(m) == 2:
+        return m[0, 0] * m[1, 1] - m[0, 1] * m[1, 0]
+    return (
+        m[0, 0] * (m[1, 1] * m[2, 2] - m[1, 2] * m[2, 1])
+        - m[0, 1] * (m[1, 0] * m[2, 2] - m[1, 2] * m[2, 0])
+        + m[0, 2] * (m[1, 0] * m[2, 1] - m[1, 1] * m[2, 0])
+    )
+
+
 def smallest_scaled_jacobians(name: str, points: np.ndarray, cells: np.ndarray) -> np.ndarray:
     """For each element the least scaled Jacobian over its check places: (m,).
 
@@ -34,11 +46,13 @@ def smallest_scaled_jacobians(name: str, points: np.ndarray, cells: np.ndarray) 
 
 def _scaled(name: str, nodes: np.ndarray) -> np.ndarray:
     """Scaled Jacobians (m, q) at the check places of elements with nodes (m, a, d)."""
-    matrices = jacobian_matrices(name, nodes, check_places(name))
-    tangents = np.einsum("eqik,ckl->eqcil", matrices, _edge_directions(name), optimize=True)
-    scale = np.sqrt((tangents**2).sum(axis=3)).prod(axis=3).max(axis=2)
-    values = np.linalg.det(matrices)
-    kind = KINDS[name]
+    kind, matrices = KINDS[name], jacobian_matrices(name, nodes, check_places(name))
+    if kind.simplex:
+        tangents = np.einsum("eqik,ckl->eqcil", matrices, _edge_directions(name), optimize=True)
+        scale = np.sqrt((tangents**2).sum(axis=3)).prod(axis=3).max(axis=2)
+    else:
+        scale = np.sqrt((matrices**2).sum(axis=2)).prod(axis=2)
+    values = determinants(matrices)
     factor = _PERFECT.get((kind.linear.rstrip("0123456789"), kind.dimension), 1.0)
     return np.divide(factor * values, scale, out=np.zeros_like(scale), where=scale > 0.0)
 
@@ -52,10 +66,7 @@ def check_places(name: str) -> np.ndarray:
 
 @cache
 def _edge_directions(name: str) -> np.ndarray:
-    """Reference directions of the d edges that meet at a corner, as columns, for each corner that differs."""
+    """Reference directions of the d edges that meet at a corner of a simplex, as columns, for each corner."""
     kind = KINDS[name]
-    unit = np.eye(kind.dimension)
-    if not kind.simplex:
-        return unit[None]
     corners = kind.reference_nodes[: kind.corners]
     return np.array([np.delete(corners - corner, i, axis=0).T for i, corner in enumerate(corners)])

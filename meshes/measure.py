@@ -4,7 +4,7 @@ from functools import cache
 
 import numpy as np
 
-from meshes.jacobians import CHUNK, jacobian_matrices
+from meshes.jacobians import CHUNK, determinants, jacobian_matrices
 from meshes.kinds import KINDS
 from meshes.mesh import Mesh
 from meshes.shape_functions import shape_values
@@ -27,7 +27,7 @@ def _integrals(mesh: Mesh, values: np.ndarray) -> np.ndarray:
     parts = []
     for first in range(0, len(mesh.cells), CHUNK):
         cells = mesh.cells[first : first + CHUNK]
-        jacobians = np.linalg.det(jacobian_matrices(mesh.kind, mesh.points[cells], places))
+        jacobians = determinants(jacobian_matrices(mesh.kind, mesh.points[cells], places))
         parts.append(((values[cells] @ shape.T) * jacobians) @ weights)
     return np.concatenate(parts)
 

@@ -73,12 +73,6 @@ class Mesh:
         """Coordinates (m, c, d) [m] of the vertices of the cells."""
         return self.points[self.cells[:, : KINDS[self.kind].corners]]
 
-    def to_skfem(self):
-        """The same quads (kind quad4) for scikit-fem: same node and element numbers."""
-        import skfem
-
-        return skfem.MeshQuad(np.ascontiguousarray(self.points.T), np.ascontiguousarray(self.cells.T))
-
 
 def _check_points(points: np.ndarray, dimension: int) -> None:
     """Raise MeshError unless the points are finite and have as many coordinates as the elements' dimension."""

@@ -2,11 +2,17 @@
 
 import math
 from collections.abc import Sequence
+from numbers import Real
 
 import numpy as np
 
 from core_models.errors import MeshError
 from meshes.kinds import find_kind
+
+STEEPEST_GRADING = 100.0
+"""Ratio of axial sizes up to which gmsh places nodes to some 1e-5 of an element."""
+
+MOST_ELEMENTS = 50_000_000
 
 
 def check_length(body: str, name: str, value: float) -> None:
@@ -23,13 +29,7 @@ def check_number(body: str, name: str, value: float) -> None:
 
 def check_count(body: str, name: str, value: int, least: int = 1) -> None:
     """Refuse a number of elements that is not whole and at least `least`; MeshError."""
-    if (
-        value is None
-        or value != value
-        or value in (math.inf, -math.inf)
-        or value != int(value)
-        or value < least
-    ):
+    if not isinstance(value, Real) or not math.isfinite(value) or value != int(value) or value < least:
         raise MeshError(f"{body}: {name} is {value}; give a whole number of at least {least}")
 
 
@@ -40,11 +40,14 @@ def check_counts(body: str, counts: Sequence[int], kind: str) -> np.ndarray:
         raise MeshError(f"{body}: counts is {parts.tolist()}; give {dimension} numbers for {kind} elements")
     if parts.dtype.kind not in "iu" or parts.min() < 1:
         raise MeshError(f"{body}: counts is {parts.tolist()}; give whole numbers of at least 1")
+    check_total(body, math.prod(parts.tolist()))
     return parts
 
 
-STEEPEST_GRADING = 100.0
-"""Ratio of axial sizes up to which gmsh places nodes to some 1e-5 of an element."""
+def check_total(body: str, elements: float) -> None:
+    """Refuse more elements than fit in memory, before they are made; MeshError."""
+    if elements > MOST_ELEMENTS:
+        raise MeshError(f"{body}: makes some {elements:.2g} elements; give at most {MOST_ELEMENTS:.2g}")
 
 
 def check_cylinder(
@@ -55,6 +58,7 @@ def check_cylinder(
     along: int | None,
     grading: float,
     foot_height: float,
+    dimension: int,
 ) -> int:
     """Refuse parameters of a standing cylinder that are outside their range; MeshError.
 
@@ -69,6 +73,7 @@ def check_cylinder(
     if along is None:
         along = max(1, round(across * length / radius))
     check_count(body, "elements_along", along)
+    check_total(body, float(across) ** (dimension - 1) * along)
     return along
 
 

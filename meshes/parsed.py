@@ -53,6 +53,7 @@ def to_mesh(path: Path, parsed: Parsed) -> Mesh:
     """
     kind = _kind_of(path, parsed.blocks)
     points = _plane(path, parsed.points) if kind.dimension == 2 else parsed.points
+    _check_numbers(path, parsed)
     own = [i for i, block in enumerate(parsed.blocks) if block.type == kind.name]
     cells = np.concatenate([parsed.blocks[i].nodes for i in own])
     used, numbers = np.unique(cells, return_inverse=True)
@@ -94,6 +95,17 @@ def _kind_of(path: Path, blocks: list[Block]) -> Kind:
         several = " and ".join(f"{counts[kind.name]} {kind.name}" for kind in kinds)
         raise MeshError(f"{path}: holds {several} elements; {_ONE_KIND[dimension]}")
     return kinds[0]
+
+
+def _check_numbers(path: Path, parsed: Parsed) -> None:
+    """Raise MeshError when elements use nodes that the file does not hold."""
+    for block in parsed.blocks:
+        wrong = (block.nodes < 0) | (block.nodes >= len(parsed.points))
+        if wrong.any():
+            raise MeshError(
+                f"{path}: {block.type} element {int(wrong.any(axis=1).argmax())} uses a node that is not there; "
+                "export the file again"
+            )
 
 
 def _plane(path: Path, points: np.ndarray) -> np.ndarray:

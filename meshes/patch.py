@@ -52,7 +52,8 @@ def even_patch(counts: Sequence[int], kind: str) -> Patch:
     boundaries = {}
     for axis, names in enumerate(SIDES[wanted.dimension]):
         for name, end in zip(names, (0, parts[axis]), strict=True):
-            boundaries[name] = facets[(points[facets, axis] == end).all(axis=1)]
+            there = points[:, axis] == end
+            boundaries[name] = facets[there[facets].all(axis=1)]
     return Patch(points / parts, cells, boundaries)
 
 

@@ -39,7 +39,7 @@ def taylor_bar(
     """
     linear = find_kind(find_kind(kind, 2).linear)
     along = check_cylinder(
-        "taylor bar", radius, length, elements_across, elements_along, grading, foot_height
+        "taylor bar", radius, length, elements_across, elements_along, grading, foot_height, 2
     )
     if structured:
         points, cells, boundaries = _rows(elements_across, along, grading, linear.name)

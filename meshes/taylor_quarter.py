@@ -37,7 +37,7 @@ def taylor_quarter(
     Raises MeshError when a parameter is outside its range, for irregular hexahedra, or when gmsh cannot be loaded.
     """
     body, wanted = "taylor quarter", find_kind(kind, 3)
-    along = check_cylinder(body, radius, length, elements_across, elements_along, grading, foot_height)
+    along = check_cylinder(body, radius, length, elements_across, elements_along, grading, foot_height, 3)
     check_count(body, "elements_across", elements_across, 2)
     if structured:
         points, cells, boundaries = _layers(elements_across, along, grading, length / radius, kind)

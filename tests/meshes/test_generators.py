@@ -204,6 +204,11 @@ def test_quarter_of_a_ring_has_its_symmetry_planes_exactly():
         (lambda: taylor_quarter(1.0, 2.0, 4, grading=0.0), "grading is 0"),
         (lambda: taylor_quarter(0.0, 2.0, 4), "radius is 0"),
         (lambda: taylor_quarter(1.0, np.nan, 4), "length is nan"),
+        (lambda: taylor_bar(1.0, 2.0, "8"), "elements_across is 8; give a whole number"),
+        (lambda: taylor_bar(1.0, 0.1, 4, structured=False), "gmsh cannot mesh it .1D mesh cannot be divided"),
+        (lambda: taylor_bar(1.0, 1e9, 4), "makes some 1.6e.10 elements"),
+        (lambda: disk(1.0, 1e-8), "makes some 3e.16 elements"),
+        (lambda: block([0, 0], [1, 1], [10**6, 10**6]), "makes some 1e.12 elements"),
     ],
 )
 def test_senseless_parameters_are_refused_by_name(make, told):

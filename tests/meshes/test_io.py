@@ -178,6 +178,16 @@ def test_unknown_elements_are_refused(tmp_path):
     assert "holds cells of type wedge; mesh with one of quad4" in refusal(tmp_path / "wedge.vtu")
 
 
+def test_nodes_that_are_not_there_are_refused(tmp_path):
+    """An element or facet that uses a node beyond the file's is an error, not another node."""
+    mesh = block([0, 0], [1, 1], [1, 1])
+    points = np.pad(mesh.points, ((0, 0), (0, 1)))
+    for cells in ([("quad", mesh.cells + 1)], [("line", np.array([[0, 9]])), ("quad", mesh.cells)]):
+        data = {"foot": [np.array([1]), np.array([0])]} if len(cells) == 2 else {}
+        meshio.vtu.write(tmp_path / "far.vtu", meshio.Mesh(points, cells, cell_data=data))
+        assert "element 0 uses a node that is not there" in refusal(tmp_path / "far.vtu")
+
+
 def test_facets_of_another_kind_are_refused(tmp_path):
     """A triangle named as a facet of hexahedra is named, with the kind of facet that fits."""
     mesh = block([0, 0, 0], [1, 1, 1], [1, 1, 1], "hex8")
