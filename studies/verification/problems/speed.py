@@ -103,7 +103,7 @@ def run(quick: bool) -> Outcome:
         jobs[(PARTICLES.label, large, 2)] = PARTICLES
     costs, outcome = {}, Outcome()
     for key, variant in jobs.items():
-        done, refused = attempt([variant], lambda variant, key=key: cost(variant, key[1], key[2]))
+        done, refused = attempt([variant], lambda variant, at=key: cost(variant, at[1], at[2]))
         outcome.remarks += [f"{each.variant.label}, {key[1]} cells: {each.reason}" for each in refused]
         costs |= {key: found for found in done.values()}
     outcome.criteria = _criteria(costs, sides)
