@@ -44,9 +44,7 @@ class ManufacturedProblem:
 
 def neo_hookean(density: float, bulk: float, shear: float) -> Material:
     """Compressible neo-Hookean material of the manufactured solutions and the elastic problems."""
-    return Material(
-        "neo-Hookean", density, CompressibleNeoHookean(), IsotropicElastic(bulk, shear), eos=None
-    )
+    return Material("neo-Hookean", density, CompressibleNeoHookean(), IsotropicElastic(bulk, shear), eos=None)
 
 
 def error_row(problem: ManufacturedProblem, variant: Variant, size: float, **options) -> ErrorRow:

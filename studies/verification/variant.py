@@ -53,7 +53,9 @@ def run_until(solver: ExplicitSolver | Solver, end: float) -> float:
     return time.perf_counter() - began
 
 
-def attempt(variants: Iterable[Variant], work: Callable[[Variant], Any]) -> tuple[dict[str, Any], list[Refused]]:
+def attempt(
+    variants: Iterable[Variant], work: Callable[[Variant], Any]
+) -> tuple[dict[str, Any], list[Refused]]:
     """Results of the work by the variants' labels; what the program refuses or cannot finish is listed, not hidden."""
     done, refused = {}, []
     for variant in variants:

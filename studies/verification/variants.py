@@ -8,7 +8,13 @@ BEFORE_FLOOR = 1.5  # of GIMP and CPDI, before their floor
 CONTROL = "MPM linear"
 KINDS = {2: ("quad4", "tri3", "quad8", "quad9", "tri6"), 3: ("hex8", "tet4", "hex20", "hex27", "tet10")}
 SEEDED = {2: "quad4", 3: "hex8"}  # meshes that particles are made from
-INTERPOLATIONS = {"linear": None, "gimp": BEFORE_FLOOR, "cpdi": BEFORE_FLOOR, "quadratic": SECOND, "cubic": SECOND}
+INTERPOLATIONS = {
+    "linear": None,
+    "gimp": BEFORE_FLOOR,
+    "cpdi": BEFORE_FLOOR,
+    "quadratic": SECOND,
+    "cubic": SECOND,
+}
 
 
 def elements(dimension: int) -> list[Variant]:
