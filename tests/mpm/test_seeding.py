@@ -21,7 +21,7 @@ def mesh(bar, distorted):
 
 
 def distorted_block(kind):
-    """A block of volume 6 or 24 and its geometry; inside, linear elements are uneven (of others the rule is not exact)."""
+    """A block of volume 6 or 24 and its geometry; linear elements inside are uneven (for others no rule is exact)."""
     d = KINDS[kind].dimension
     counts = (2, 3, 2)[:d]
     body = block((0.0,) * d, (2.0, 3.0, 4.0)[:d], counts, kind, 0.2 * (KINDS[kind].degree == 1))

@@ -23,7 +23,7 @@ def blocks_of(solver):
 
 
 def test_only_blocks_near_particles_have_storage(body):
-    """Each particle's first node and the three that follow lie in blocks with storage, and each block has a particle."""
+    """Blocks have storage where a particle is at home, or in the next one along an axis, and nowhere else."""
     solver = body("spatial", counts=(9, 6, 13))
     solver.advance()
     first = np.floor(solver.positions / CELL).astype(int) - 1
