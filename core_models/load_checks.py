@@ -46,7 +46,7 @@ def check_loads(loads: tuple[Load, ...], mesh, geometry: Geometry, *, conduction
             symmetry_plane(mesh, name)
         if isinstance(load, FixedTemperature | HeatFlux) and not conduction:
             raise SceneError(f"{type(load).__name__} on {name!r} does nothing without conduction: turn it on")
-        if isinstance(load, Traction | Pressure | HeatFlux) and isinstance(geometry, Axisymmetric):
+        if isinstance(load, Traction | Pressure | HeatFlux | FixedTemperature) and isinstance(geometry, Axisymmetric):
             _refuse_axis(load, mesh)
     _refuse_contradictions(loads, mesh, geometry)
 
