@@ -46,7 +46,9 @@ def thermal_loads(loads: tuple[Load, ...]) -> tuple[list[FixedTemperature], list
     held = [load for load in loads if isinstance(load, FixedTemperature)]
     fluxes = [load for load in loads if isinstance(load, HeatFlux)]
     for load in held:
-        check_between(f"FixedTemperature on {load.boundary!r}", at_time(load.temperature, 0.0), 0.0, math.inf, "K")
+        check_between(
+            f"FixedTemperature on {load.boundary!r}", at_time(load.temperature, 0.0), 0.0, math.inf, "K"
+        )
     for load in fluxes:
         check_between(f"HeatFlux on {load.boundary!r}", at_time(load.flux, 0.0), -math.inf, math.inf, "W/m^2")
     names = [load.boundary for load in (*held, *fluxes)]

@@ -45,8 +45,8 @@ class ExplicitSolver(Readout):
     displacement : initial [m], a function of positions (n, d), or None; the body starts with the stress of it.
     temperature : initial [K], None for the material's. loads : of `core_models.loads`.
     wall : None, 'unilateral', 'plane' or a `Wall`. viscosity : BulkViscosity or None. threads : number of threads.
-    conduction : of heat (core_models.conduction). integration : 'full' or 'reduced' (one point in quad4 and hex8, two along each edge of quad8
-    and hex20). cure : against locking: None for the element's own, 'none', 'mean-dilatation', 'linear-dilatation'
+    conduction : whether heat is conducted (core_models.conduction), else the body is adiabatic. integration : 'full' or
+    'reduced' (one point in quad4 and hex8, two along each edge of quad8 and hex20). cure : against locking: None for the element's own, 'none', 'mean-dilatation', 'linear-dilatation'
     (quadratic quads and hexahedra), 'nodal-average' (tri3, tet4). hourglass : coefficient of the hourglass control of
     one-point elements, in (0, 1]. safety : part of the estimated stable step that is taken, in (0, 1].
 
@@ -92,9 +92,8 @@ class ExplicitSolver(Readout):
         damping = damping_of(loads)
         self._damping_rate = damping.rate if damping else 0.0
         self.velocities = initial_velocities(velocity, self.mesh.points)
-        self.points = MaterialPoints(
-            material, self._body.space.tables.weights.ravel(), temperature, viscosity, self.threads, conduction
-        )
+        volumes = self._body.space.tables.weights.ravel()
+        self.points = MaterialPoints(material, volumes, temperature, viscosity, self.threads, conduction)
         self.positions = self.mesh.points.copy()
         count = len(self.positions)
         self._held = np.zeros(count, dtype=np.bool_)
