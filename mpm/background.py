@@ -97,6 +97,24 @@ class Background:
                 *arguments,
             )
 
+    def over_homes(self, kernel, *arguments) -> None:
+        """Run a kernel that only reads nodes over all homes."""
+        self.threads.run_with(
+            kernel,
+            len(self.sums),
+            self._scratch,
+            self.geometry,
+            self.shape,
+            self.grid,
+            self.order,
+            *arguments,
+        )
+
+    @property
+    def pairs(self) -> list[tuple[int, int, int]]:
+        """Axis, node beyond and its image along the axis, for every layer beyond a symmetry plane."""
+        return self._pairs
+
     def fold(self, records: np.ndarray, size: int) -> list[float]:
         """Add what nodes beyond symmetry planes hold to their mirror images; returns what `mirrors.fold` does."""
         return [fold(self.geometry, self.grid, *pair, records, size) for pair in self._pairs]

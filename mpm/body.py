@@ -23,6 +23,7 @@ class Body:
     ----------
     mesh, material, geometry, threads : as the solver's. seeding : see `mpm.particles`. velocity, displacement,
     temperature, viscosity : initial state, see the solver. affine : whether particles carry an affine velocity.
+    conduction : whether heat is conducted.
 
     positions, velocities (n, d) [m], [m/s]; affine (n, d, d) [1/s] or None; volume_ratio (n,) det F.
     """
@@ -40,6 +41,7 @@ class Body:
         temperature: float | None,
         viscosity: BulkViscosity | None,
         affine: bool,
+        conduction: bool,
     ) -> None:
         self.mesh, self.material, self.geometry, self.threads, self.seeding = (
             mesh,
@@ -51,7 +53,9 @@ class Body:
         self.particles = seed(mesh, geometry, seeding)
         self.reference_positions = self.particles.positions
         self.boundary = Boundary(self.particles.faces, self.reference_positions, geometry)
-        self.points = MaterialPoints(material, self.particles.volumes, temperature, viscosity, threads)
+        self.points = MaterialPoints(
+            material, self.particles.volumes, temperature, viscosity, threads, conduction
+        )
         n, d = self.reference_positions.shape
         self.positions = self.reference_positions.copy()
         self.velocities = initial_velocities(velocity, self.reference_positions)

@@ -23,6 +23,7 @@ from meshes.axisymmetric import axisymmetric
 from meshes.mesh import Mesh
 from mpm.background import Background
 from mpm.body import Body
+from mpm.conduction import Conduction
 from mpm.contact import Contact, Push
 from mpm.forces import Forces
 from mpm.grid import RECORD, VELOCITY
@@ -47,7 +48,8 @@ class Solver(Body):
     velocity : initial [m/s]: a number (along the last axis), a vector (d,), or a function of positions (n, d).
     displacement : initial, a function of positions (n, d) [m], or None. temperature : initial [K].
     loads : of `core_models.loads`. wall : `Wall`, 'unilateral', 'plane' or None. viscosity : BulkViscosity or None.
-    threads : number of threads. interpolation : 'quadratic', 'cubic', 'linear' or 'gimp'.
+    threads : number of threads. conduction : whether heat is conducted (core_models.conduction), else the body is
+    adiabatic. interpolation : 'quadratic', 'cubic', 'linear' or 'gimp'.
     transfer : 'apic', 'flip', 'pic' or 'xpic'. flip_fraction : share of FLIP in the blend with PIC.
     xpic_order : m of XPIC(m). seeding : 'gauss' or 'lattice'. cfl : part of h / (c + |v|) that is taken as step, in
     (0, 1].
@@ -72,6 +74,7 @@ class Solver(Body):
         wall: Wall | str | None = None,
         viscosity: BulkViscosity | None = None,
         threads: int = 1,
+        conduction: bool = False,
         interpolation: str = "quadratic",
         transfer: str = "apic",
         flip_fraction: float = 0.99,
@@ -88,12 +91,12 @@ class Solver(Body):
         kind = find_geometry(geometry, mesh.dimension)
         mesh = axisymmetric(mesh) if isinstance(kind, Axisymmetric) else mesh
         wall = as_wall(wall)
-        check_loads(loads, mesh, kind)
+        check_loads(loads, mesh, kind, conduction=conduction)
         base, mirrors = find_mirrors(mesh, kind, loads, wall, cell_size)
         check_size(mesh, cell_size, mirrors)
         super().__init__(
             mesh, material, kind, Threads(threads), seeding=seeding, velocity=velocity, displacement=displacement,
-            temperature=temperature, viscosity=viscosity, affine=self._transfer.affine,
+            temperature=temperature, viscosity=viscosity, affine=self._transfer.affine, conduction=conduction,
         )  # fmt: skip
         if self.points.lengths is not None:
             self.points.lengths[:] = cell_size
@@ -110,6 +113,9 @@ class Solver(Body):
         self._damping = damping_of(loads)
         self._forces = Forces(loads, self.particles, kind, material.density)
         self._supports = Supports(loads, self.particles, kind)
+        self._conduction = None
+        if conduction:
+            self._conduction = Conduction(loads, self.particles, kind, self.points, cell_size)
         self._new_velocities = np.empty_like(self.velocities)
         self._moves = np.empty_like(self.velocities) if self._transfer.share else self._new_velocities
         self._filled = False
@@ -189,12 +195,25 @@ class Solver(Body):
         external = dt * self._forces.power(self._moves)
         damped = background.damped_energy(keep) if self._damping else 0.0
         points.accept()
+        self._conduct(dt)
         self.threads.run(advect, -(-points.n // CHUNK), dt, self._moves, self.positions)
         shared = self._moves is self._new_velocities
         self.velocities, self._new_velocities = self._new_velocities, self.velocities
         if shared:
             self._moves = self._new_velocities
         self._keep_books(work, external, damped, hold, push, sums, kick)
+
+    def _conduct(self, dt: float) -> None:
+        """Conduct heat, if the scene asks for it, on the grid and with the shape that the step began with."""
+        if self._conduction is not None:
+            self.ledger.heat += self._conduction.advance(
+                self._background,
+                dt,
+                self.time,
+                self.positions,
+                self.points.deformation_gradient,
+                self.volume_ratio,
+            )
 
     def _keep_books(
         self,
@@ -231,7 +250,8 @@ class Solver(Body):
     def _stable_step(self, speed: float, wave_speed: float, viscous_pressure: float) -> float:
         relative = viscous_pressure / (self.material.density * wave_speed**2)
         damping = damped_step_factor(self.points.viscosity, relative)
-        return self.cfl * damping * self.cell_size / (wave_speed + speed)
+        step = self.cfl * damping * self.cell_size / (wave_speed + speed)
+        return step if self._conduction is None else min(step, self._conduction.limit)
 
     def _check_inside(self, particle: int) -> None:
         """Raise RunFailure for a particle that no grid could hold."""
