@@ -1,11 +1,13 @@
 """Runs of manufactured solutions: errors of every variant at every size."""
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
+from core_models.errors import RunFailure
 from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.loads import REFERENCE, BodyForce, Load
 from core_models.material import Material
@@ -82,5 +84,13 @@ def convergence(
 
 def _sequence(problem: ManufacturedProblem, variant: Variant, sizes: Sequence[float]) -> list[ErrorRow]:
     """Errors at all sizes; the coarsest runs twice, so that no compilation is in its time."""
-    error_row(problem, variant, sizes[0])
-    return [error_row(problem, variant, size) for size in sizes]
+    _row_or_failure(problem, variant, sizes[0])
+    return [_row_or_failure(problem, variant, size) for size in sizes]
+
+
+def _row_or_failure(problem: ManufacturedProblem, variant: Variant, size: float) -> ErrorRow:
+    """The row of a run; no number for the errors of one that went wrong."""
+    try:
+        return error_row(problem, variant, size)
+    except RunFailure:
+        return ErrorRow(size, 0, math.nan, math.nan, 0, math.nan)

@@ -9,7 +9,7 @@ from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
 from studies.verification.variant import FEM, MPM, Refused, Variant
 
 VISIBLY = 0.3  # by how much the control's order lies below the lowest that is asked of the others
-FLOOR_ALLOWED = 1.5  # variants of which no more than this order is asked may reach a floor
+FLAT = 0.75  # share of the order asked below which a sequence is taken to have reached its floor
 Rows = Mapping[str, Sequence]
 
 
@@ -32,11 +32,12 @@ def convergence_outcome(
 def observed_order(variant: Variant, rows: Sequence) -> tuple[float, int]:
     """Order of the root-mean-square error and the number of sizes that it was fitted to.
 
-    Where no more than FLOOR_ALLOWED is asked only the sizes before the floor count.
+    Particles that cross cells sample the stress unevenly, so their error has a floor: only the sizes before it count.
     """
     sizes, errors = [row.size for row in rows], [row.root_mean_square for row in rows]
-    may_stop = variant.lowest_order is not None and variant.lowest_order <= FLOOR_ALLOWED
-    used = sizes_before_floor(sizes, errors) if may_stop else len(rows)
+    used = len(rows)
+    if variant.method == MPM:
+        used = sizes_before_floor(sizes, errors, FLAT * variant.lowest_order)
     return fitted_order(sizes[:used], errors[:used]), used
 
 
@@ -44,7 +45,8 @@ def _order_criterion(variant: Variant, rows: Sequence) -> Criterion | None:
     if variant.lowest_order is None:
         return None
     order, used = observed_order(variant, rows)
-    return Criterion(f"order of {variant.label}, {used} sizes", order, low=variant.lowest_order)
+    which = f"{used} sizes" if used == len(rows) else f"{used} of {len(rows)} sizes, before its floor"
+    return Criterion(f"order of {variant.label}, {which}", order, low=variant.lowest_order)
 
 
 def _missing(refused: Refused) -> Criterion | None:
@@ -55,9 +57,12 @@ def _missing(refused: Refused) -> Criterion | None:
 
 
 def _control_criterion(control: str, rows: Sequence, variants: Iterable[Variant]) -> Criterion:
+    """The control converges visibly worse over all sizes, or its runs go wrong."""
     asked = min(variant.lowest_order for variant in variants if variant.lowest_order is not None)
-    order = fitted_order([row.size for row in rows], [row.root_mean_square for row in rows])
-    return Criterion(f"order of {control}, visibly lower", order, high=asked - VISIBLY)
+    finite = [row for row in rows if row.root_mean_square > 0.0]
+    order = fitted_order([row.size for row in finite], [row.root_mean_square for row in finite]) if finite[1:] else 0.0
+    wrong = f", {len(rows) - len(finite)} runs went wrong" if len(finite) < len(rows) else ""
+    return Criterion(f"order of {control}, visibly lower{wrong}", order, high=asked - VISIBLY)
 
 
 def _error_table(done: Rows) -> Table:
@@ -83,13 +88,14 @@ def _error_table(done: Rows) -> Table:
 
 def _ranking(done: Rows) -> Table:
     """Variants by the error that they reach in equal time, on a polygon through their runs."""
-    times = {label: [row.seconds for row in rows] for label, rows in done.items()}
+    whole = {label: [row for row in rows if row.root_mean_square > 0.0] for label, rows in done.items()}
+    times = {label: [row.seconds for row in rows] for label, rows in whole.items() if rows[1:]}
     if not times:
         return Table("Ranked at equal time", ("variant", "error [m]"), ())
     seconds = float(np.sqrt(max(map(min, times.values())) * min(map(max, times.values()))))
     found = {
-        label: error_at(seconds, times[label], [row.root_mean_square for row in rows])
-        for label, rows in done.items()
+        label: error_at(seconds, [row.seconds for row in rows], [row.root_mean_square for row in rows])
+        for label, rows in whole.items()
     }
     ranked = sorted((error, label) for label, error in found.items() if error is not None)
     rows = [(label, error, error / ranked[0][0]) for error, label in ranked]

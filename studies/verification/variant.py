@@ -22,6 +22,7 @@ class Variant:
     """One way of solving: a method, the kind of the mesh's cells, and options of the solver.
 
     label : for tables and figures. lowest_order : the order of convergence that is asked of it; None for none.
+    finer : cells of the mesh that particles are made from, along an edge of a cell of the grid; each makes two.
     """
 
     label: str
@@ -29,10 +30,11 @@ class Variant:
     kind: str
     options: Mapping[str, Any] = field(default_factory=dict)
     lowest_order: float | None = None
+    finer: int = 1
 
     def solver(self, body: Body, material: Material, size: float, **common) -> ExplicitSolver | Solver:
-        """The solver of a body; the cells of the MPM grid are as large as those of the mesh."""
-        mesh = body(size, self.kind)
+        """The solver of a body; the cells of the MPM grid have the size that a mesh for elements would have."""
+        mesh = body(size / self.finer, self.kind)
         if self.method == FEM:
             return ExplicitSolver(mesh, material, **common, **self.options)
         return Solver(mesh, material, cell_size=size, **common, **self.options)

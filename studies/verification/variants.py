@@ -8,6 +8,7 @@ BEFORE_FLOOR = 1.5  # of GIMP and CPDI, before their floor
 CONTROL = "MPM linear"
 KINDS = {2: ("quad4", "tri3", "quad8", "quad9", "tri6"), 3: ("hex8", "tet4", "hex20", "hex27", "tet10")}
 SEEDED = {2: "quad4", 3: "hex8"}  # meshes that particles are made from
+EVEN = {"seeding": "lattice"}  # evenly spaced particles sample a stress that crosses cells better than Gauss points
 INTERPOLATIONS = {
     "linear": None,
     "gimp": BEFORE_FLOOR,
@@ -24,15 +25,15 @@ def elements(dimension: int) -> list[Variant]:
     return [*found, Variant(f"FEM {kind}, one point", FEM, kind, {"integration": "reduced"}, SECOND)]
 
 
-def interpolations(dimension: int) -> list[Variant]:
-    """Every interpolation with APIC."""
+def interpolations(dimension: int, finer: int = 1) -> list[Variant]:
+    """Every interpolation with APIC; 2 `finer` evenly spaced particles along an edge of a cell."""
     return [
-        Variant(f"MPM {name}", MPM, SEEDED[dimension], {"interpolation": name}, order)
+        Variant(f"MPM {name}", MPM, SEEDED[dimension], EVEN | {"interpolation": name}, order, finer)
         for name, order in INTERPOLATIONS.items()
     ]
 
 
-def transfers(dimension: int) -> list[Variant]:
+def transfers(dimension: int, finer: int = 1) -> list[Variant]:
     """Quadratic B-splines with the other transfers, with MUSL and in the reference configuration."""
     options = {
         "FLIP 0.99": {"transfer": "flip"},
@@ -42,12 +43,12 @@ def transfers(dimension: int) -> list[Variant]:
         "MUSL": {"update": "musl"},
         "total": {"configuration": "total"},
     }
+    kind = SEEDED[dimension]
     found = [
-        Variant(f"MPM quadratic, {name}", MPM, SEEDED[dimension], {"interpolation": "quadratic"} | more)
-        for name, more in options.items()
+        Variant(f"MPM quadratic, {name}", MPM, kind, EVEN | more, finer=finer) for name, more in options.items()
     ]
-    linear = {"interpolation": "linear", "configuration": "total"}
-    return [*found, Variant("MPM linear, total", MPM, SEEDED[dimension], linear)]
+    linear = EVEN | {"interpolation": "linear", "configuration": "total"}
+    return [*found, Variant("MPM linear, total", MPM, kind, linear, finer=finer)]
 
 
 def cured(dimension: int) -> list[Variant]:

@@ -69,10 +69,10 @@ def test_order_of_a_power_is_its_exponent():
 
 
 def test_sizes_before_a_floor_are_those_where_the_error_still_falls():
-    """The first flat interval ends the count, three sizes stay in any case."""
-    assert sizes_before_floor(SIZES, [1.0, 0.25, 0.06, 0.05]) == 3
-    assert sizes_before_floor(SIZES, [1.0, 0.25, 0.06, 0.015]) == 4
-    assert sizes_before_floor(SIZES, [1.0, 0.9, 0.8, 0.9]) == 3
+    """The first flat interval ends the count, a least number of sizes stays in any case."""
+    assert sizes_before_floor(SIZES, [1.0, 0.25, 0.06, 0.05], 1.4, least=2) == 3
+    assert sizes_before_floor(SIZES, [1.0, 0.25, 0.06, 0.015], 1.4, least=2) == 4
+    assert sizes_before_floor(SIZES, [1.0, 0.9, 0.8, 0.9], 1.4, least=3) == 3
 
 
 def test_error_at_a_time_is_interpolated_and_never_extrapolated():

@@ -10,8 +10,9 @@ from studies.verification.outcome import Outcome
 from studies.verification.problem import Problem
 from studies.verification.variants import CONTROL, elements, interpolations
 
-COUNTS = {2: (8, 16, 32, 64), 3: (4, 8, 12, 16)}
-QUICK_COUNTS = {2: (4, 6, 8, 12), 3: (2, 3, 4, 6)}
+COUNTS = {2: (6, 8, 12, 16, 24, 48), 3: (4, 6, 8, 12)}
+QUICK_COUNTS = {2: (6, 8, 12, 16), 3: (4, 5, 6, 8)}
+FINER = {2: 2, 3: 1}  # cells of the particles' mesh along a cell of the grid
 GEOMETRIES = {2: "plane-strain", 3: "spatial"}
 
 
@@ -39,7 +40,7 @@ def run_cube(quick: bool) -> Outcome:
 
 def _run(dimension: int, quick: bool) -> Outcome:
     counts = (QUICK_COUNTS if quick else COUNTS)[dimension]
-    variants = [*elements(dimension), *interpolations(dimension)]
+    variants = [*elements(dimension), *interpolations(dimension, FINER[dimension])]
     return convergence(axis_aligned(dimension), variants, [1.0 / count for count in counts], CONTROL)
 
 
