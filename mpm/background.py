@@ -7,6 +7,7 @@ import numpy as np
 from core_models.compilation import CHUNK
 from core_models.geometry import Geometry
 from core_models.threads import Threads
+from mpm.anchors import Anchors
 from mpm.grid import RECORD, block_nodes, clear, make_grid, with_storage
 from mpm.interpolation import layers
 from mpm.interpolation.catalogue import Interpolation
@@ -44,7 +45,7 @@ class Background:
         self._pairs = [(mirror.axis, *pair) for mirror in mirrors for pair in mirror.pairs(layers(shape))]
         self._scratch = [make_scratch(len(bounds)) for _thread in range(threads.count)]
         self.blocks = 0
-        self.mirror_forces = np.zeros(len(self._pairs))
+        self._beyond = np.zeros(len(self._pairs))
 
     def surround(self, positions: np.ndarray) -> None:
         """Make a grid with room for particles at these positions (n, d) [m]."""
@@ -89,7 +90,7 @@ class Background:
                 *particles,
             )
         for number, (axis, beyond, image) in enumerate(self._pairs):
-            self.mirror_forces[number] = fold(self.geometry, self.grid, axis, beyond, image)
+            self._beyond[number] = fold(self.geometry, self.grid, axis, beyond, image)
         self.threads.run(settle, self.blocks, self.geometry, self.grid, self.energies)
         self.reflect(self.grid.nodes, RECORD)
 
@@ -101,6 +102,18 @@ class Background:
         """Give the nodes beyond symmetry planes the velocities of their mirror images."""
         for axis, beyond, image in reversed(self._pairs):
             reflect(self.geometry, self.grid, axis, beyond, image, velocities, size)
+
+    def mirror_force(self, mirror: Mirror) -> np.ndarray:
+        """Force (d,) [N] of the mirror image on the body across a symmetry plane, at the last filling."""
+        force = np.zeros(len(self.bounds))
+        for (axis, beyond, image), part in zip(self._pairs, self._beyond, strict=True):
+            if axis == mirror.axis and (beyond, image) in mirror.pairs(layers(self.shape)):
+                force[axis] -= 2.0 * part
+        return force
+
+    def anchors(self, points: np.ndarray) -> Anchors:
+        """Points (k, d) [m] of the surface, held in the grid that has been filled."""
+        return Anchors(self.geometry, self.shape, self.grid, self._pairs, points)
 
     def spreads(self, positions: np.ndarray) -> np.ndarray:
         """Second moments of the weights along the axes (n, d) [m^2] at the particles: D of the affine velocity."""

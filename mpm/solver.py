@@ -8,12 +8,13 @@ import numpy as np
 from core_models.arguments import check_between
 from core_models.bulk_viscosity import BulkViscosity, damped_step_factor
 from core_models.compilation import CHUNK
-from core_models.errors import RunFailure
+from core_models.errors import RunFailure, SceneError
 from core_models.geometry import Axisymmetric, find_geometry
 from core_models.ledger import EnergyLedger
 from core_models.load_checks import AXES, check_loads, damping_of
 from core_models.loads import Load, Symmetry, at_time
 from core_models.material import Material
+from core_models.names import suggestion
 from core_models.points import Work
 from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.threads import Threads
@@ -23,12 +24,14 @@ from meshes.mesh import Mesh
 from mpm.background import Background
 from mpm.body import Body
 from mpm.contact import Contact, Push
+from mpm.forces import Forces
 from mpm.grid import RECORD, VELOCITY
 from mpm.interpolation.catalogue import check_interpolation, make_interpolation
 from mpm.limits import bounds_of, check_size
 from mpm.mirrors import find_mirrors
 from mpm.motion import AFTER, BEFORE, DAMPED, advect
 from mpm.particles import GAUSS, rim_faces
+from mpm.supports import Hold, Supports
 from mpm.to_particles import ENERGY, SPEED
 from mpm.transfers import make_transfer
 
@@ -103,9 +106,12 @@ class Solver(Body):
         if wall is not None:
             self._contact = Contact(wall, rim_faces(mesh, kind, seeding, self.particles, mirrored))
         self._damping = damping_of(loads)
+        self._forces = Forces(loads, self.particles, kind, material.density)
+        self._supports = Supports(loads, self.particles, kind)
         self._new_velocities = np.empty_like(self.velocities)
         self._moves = np.empty_like(self.velocities) if self._transfer.share else self._new_velocities
         self._filled = False
+        self._reactions: dict[str, np.ndarray] = {}
         self.time, self.step_count, self.point_updates, self._last_step = 0.0, 0, 0, 0.0
         self.initial_momentum = self.momentum
         self.wall_impulse, self.wall_force = 0.0, 0.0
@@ -146,8 +152,10 @@ class Solver(Body):
             background.follow(self.positions)
         background.fill(
             self.positions, self.velocities, self.affine, self.material.density, points.reference_volumes,
-            self.volume_ratio, points.old.stress, points.viscous_pressure, None,
+            self.volume_ratio, points.old.stress, points.viscous_pressure,
+            self._forces.on_particles(self.time, self.positions),
         )  # fmt: skip
+        self._forces.load_surfaces(background, self.time, self.positions, points.old_deformation_gradient)
         if self._contact is not None:
             self._contact.measure(background, self.positions, points.old_deformation_gradient)
         # A step that fails for good leaves the grid as it is: what it was filled from may have been overwritten.
@@ -156,9 +164,12 @@ class Solver(Body):
     def _attempt(self, dt: float) -> None:
         """Move the grid, the particles and the points by dt; nothing of it lasts unless all of it works."""
         background, points, transfer = self._background, self.points, self._transfer
-        kick = dt
+        kick = 0.5 * (self._last_step + dt)
         damping = at_time(self._damping.rate, self.time) if self._damping else 0.0
         background.accelerate(kick, damping)
+        hold = self._supports.impose(
+            background, self.time + 0.5 * dt, self.positions, points.old_deformation_gradient
+        )
         push = Push() if self._contact is None else self._contact.meet(background, dt)
         background.reflect(background.grid.after, VELOCITY)
         second = background.grid.nodes if transfer.keeps_velocity else None
@@ -168,25 +179,29 @@ class Solver(Body):
             points.deformation_gradient, self._moves, self._new_velocities, self.volume_ratio,
         )  # fmt: skip
         work = points.advance(dt)
+        external = dt * self._forces.power(self._moves)
         points.accept()
         self.threads.run(advect, -(-points.n // CHUNK), dt, self._moves, self.positions)
         shared = self._moves is self._new_velocities
         self.velocities, self._new_velocities = self._new_velocities, self.velocities
         if shared:
             self._moves = self._new_velocities
-        self._keep_books(work, push, sums, kick)
+        self._keep_books(work, external, hold, push, sums, kick)
 
-    def _keep_books(self, work: Work, push: Push, sums: np.ndarray, kick: float) -> None:
+    def _keep_books(
+        self, work: Work, external: float, hold: Hold, push: Push, sums: np.ndarray, kick: float
+    ) -> None:
         """Enter a step that worked in the ledger."""
         ledger = self.ledger
         on_grid = self._background.energies.sum(axis=0)
         kinetic = float(sums[:, ENERGY].sum())
         ledger.transfer += (self._kinetic - float(on_grid[BEFORE])) + (
-            float(on_grid[AFTER]) + push.energy - kinetic
+            float(on_grid[AFTER]) + hold.energy + push.energy - kinetic
         )
         self._kinetic = kinetic
         # Velocities have had the whole step's force but belong to its middle: half a step's work brings both together.
-        ledger.kinetic = kinetic - 0.5 * (work.stress + work.viscous)
+        ledger.kinetic = kinetic - 0.5 * (work.stress + work.viscous - external)
+        ledger.external += external + hold.work
         ledger.contact -= push.work
         ledger.friction -= push.rubbed
         ledger.damping += float(on_grid[DAMPED])
@@ -195,6 +210,7 @@ class Solver(Body):
         ledger.strain += work.stress - work.plastic
         self.wall_impulse += push.impulse
         self.wall_force = push.impulse / kick
+        self._reactions = {name: impulse / kick for name, impulse in self._supports.impulses.items()}
         self._fastest = (math.sqrt(float(sums[:, SPEED].max())), work.wave_speed, work.viscous_pressure)
 
     def _stable_step(self, speed: float, wave_speed: float, viscous_pressure: float) -> float:
@@ -241,6 +257,22 @@ class Solver(Body):
         spin = (self.particle_mass[:, None, None] * spin).sum(axis=0)
         whole = spin - spin.T
         return float(whole[1, 0]) if len(whole) == 2 else np.array([whole[2, 1], whole[0, 2], whole[1, 0]])
+
+    def boundary_force(self, name: str) -> np.ndarray:
+        """Force (d,) [N] of a boundary with prescribed motion or symmetry on the body in the last step.
+
+        Raises SceneError for any other boundary.
+        """
+        mirrors = self._background.mirrors
+        known = [
+            *self._supports.impulses,
+            *(mirror_name for mirror in mirrors for mirror_name in mirror.names),
+        ]
+        if name not in known:
+            raise SceneError(f"boundary {name!r} exerts no force of its own; {suggestion(name, known)}")
+        if name in self._supports.impulses:
+            return self._reactions.get(name, np.zeros(self.mesh.dimension)).copy()
+        return self._background.mirror_force(next(m for m in mirrors if name in m.names))
 
     @property
     def in_contact(self) -> bool:

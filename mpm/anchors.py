@@ -1,0 +1,119 @@
+"""Points of the body's surface held in the grid: where loads and supports act on the nodes round them."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from core_models.compilation import kernel
+from core_models.errors import RunFailure
+from mpm.geometries import dimension_of, stand
+from mpm.grid import FORCE, MASS, RECORD, VELOCITY, node_at
+from mpm.interpolation import reach
+from mpm.interpolation.gimp import UniformGimp
+from mpm.interpolation.linear import LinearHat
+from mpm.tile import WEIGHTS, put_stencil
+
+
+def point_shape(shape):
+    """The interpolation of a point without size."""
+    return LinearHat() if isinstance(shape, UniformGimp) else shape
+
+
+@kernel
+def hold(first, last, stencil, geometry, shape, grid, points, nodes, weights):
+    """Nodes along each axis (k, d, reach), counted from base, that points (k, d) [m] reach, and their weights."""
+    for p in range(first, last):
+        i, j, k, t = stand(geometry, shape, grid, points, p)
+        put_stencil(stencil, geometry, shape, p, t, grid.over_h)
+        begin = (int(i), int(j), int(k))
+        for axis in range(dimension_of(geometry)):
+            for node in range(reach(shape)):
+                nodes[p, axis, node] = begin[axis] + node
+                weights[p, axis, node] = stencil[WEIGHTS + 4 * node + axis]
+
+
+@kernel
+def number_nodes(geometry, grid, nodes, numbers):
+    """Numbers (m,) of nodes (m, 3), counted from base; -1 for those without mass."""
+    for m in range(nodes.shape[0]):
+        number = node_at(geometry, grid, nodes[m, 0], nodes[m, 1], nodes[m, 2])
+        if number >= 0 and not grid.nodes[RECORD * number + MASS] > 0.0:
+            number = -1
+        numbers[m] = number
+
+
+class Anchors:
+    """Points (k, d) and the nodes that carry them.
+
+    Nodes beyond a symmetry plane are taken for their images, components normal to it with the opposite sign. Nodes
+    without mass, which the surface may reach a little earlier than the particles do, leave their weight to the others.
+
+    Parameters
+    ----------
+    geometry, shape, grid : of the background. pairs : (axis, node beyond, image) of its symmetry planes.
+    points : positions (k, d) [m].
+    """
+
+    def __init__(
+        self, geometry, shape, grid, pairs: Sequence[tuple[int, int, int]], points: np.ndarray
+    ) -> None:
+        shape = point_shape(shape)
+        k, d = points.shape
+        along = np.empty((k, d, reach(shape)), dtype=np.int64)
+        one_by_one = np.empty((k, d, reach(shape)))
+        hold(0, k, np.zeros(64), geometry, shape, grid, points, along, one_by_one)
+        nodes, weights = np.zeros((k, 1, 3), dtype=np.int64), np.ones((k, 1))
+        for axis in range(d):
+            nodes = np.repeat(nodes, reach(shape), axis=1)
+            nodes[:, :, axis] = np.tile(along[:, axis], (1, weights.shape[1]))
+            weights = (weights[:, :, None] * one_by_one[:, axis, None, :]).reshape(k, -1)
+        signs = np.ones((*weights.shape, d))
+        for axis, beyond, image in pairs:
+            mirrored = nodes[:, :, axis] == beyond
+            nodes[mirrored, axis] = image
+            signs[mirrored, axis] *= -1.0
+        numbers = np.empty(weights.size, dtype=np.int64)
+        number_nodes(geometry, grid, nodes.reshape(-1, 3), numbers)
+        numbers = numbers.reshape(weights.shape)
+        weights = np.where(numbers >= 0, weights, 0.0)
+        total = weights.sum(axis=1, keepdims=True)
+        if not (total > 0.0).all():
+            place = ", ".join(f"{x:.4g}" for x in points[int(total.argmin())])
+            raise RunFailure(
+                f"the loaded surface at ({place}) m has no particle within reach: the body has come apart there; "
+                "use a finer mesh of particles, or take the load off"
+            )
+        self._nodes, local = np.unique(numbers[numbers >= 0], return_inverse=True)
+        self._local = np.zeros(weights.shape, dtype=np.int64)
+        self._local[numbers >= 0] = local
+        self._weights = signs * (weights / total)[:, :, None]
+        self._records = grid.nodes.reshape(-1, RECORD)
+        self._velocities = grid.after.reshape(-1, VELOCITY)
+        self._masses = self._records[self._nodes, MASS]
+
+    def before(self, axis: int) -> np.ndarray:
+        """The grid's velocity along an axis before the forces at the points (k,) [m/s]."""
+        return self._interpolate(axis, self._records[self._nodes, axis])
+
+    def after(self, axis: int) -> np.ndarray:
+        """The grid's velocity along an axis after the forces at the points (k,) [m/s]."""
+        return self._interpolate(axis, self._velocities[self._nodes, axis])
+
+    def response(self, axis: int, impulses: np.ndarray) -> np.ndarray:
+        """Change of velocity along an axis (k,) [m/s] at the points that impulses there (k,) [N s] would make."""
+        return self._interpolate(axis, self._spread(axis, impulses) / self._masses)
+
+    def push(self, axis: int, impulses: np.ndarray) -> None:
+        """Change the velocity after the forces by impulses along an axis (k,) [N s] at the points."""
+        self._velocities[self._nodes, axis] += self._spread(axis, impulses) / self._masses
+
+    def load(self, axis: int, forces: np.ndarray) -> None:
+        """Add forces along an axis (k,) [N] at the points to those on the nodes."""
+        self._records[self._nodes, FORCE + axis] += self._spread(axis, forces)
+
+    def _interpolate(self, axis: int, values: np.ndarray) -> np.ndarray:
+        return (self._weights[:, :, axis] * values[self._local]).sum(axis=1)
+
+    def _spread(self, axis: int, values: np.ndarray) -> np.ndarray:
+        shares = (self._weights[:, :, axis] * values[:, None]).ravel()
+        return np.bincount(self._local.ravel(), weights=shares, minlength=len(self._nodes))

@@ -1,0 +1,102 @@
+"""Prescribed motion of boundaries: impulses at the middles of the particles' faces.
+
+With W the interpolation of nodal velocities to these points and M the nodal masses, the impulses j solve
+
+    W M^-1 W^T j = v* - W v
+
+so that the interpolated velocity meets the prescribed one with the least change of motion: the nodes get W^T j, which
+is how the reaction of a boundary is spread over them. More points than nodes leave j open; the conjugate gradients that
+solve for it take the smallest.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from core_models.geometry import Geometry
+from core_models.loads import Load, Prescribed, at_points, supports
+from mpm.anchors import Anchors
+from mpm.background import Background
+from mpm.particles import Particles
+from mpm.surface import Surface
+
+MOST_ITERATIONS = 60
+CLOSE = 1e-8  # of the largest velocity to be corrected
+
+
+class Hold(NamedTuple):
+    """What supports did in a step: their work, and the kinetic energy that it added to the grid [J]."""
+
+    work: float = 0.0
+    energy: float = 0.0
+
+
+class Supports:
+    """The boundaries with prescribed motion among the loads.
+
+    Parameters
+    ----------
+    loads : of `core_models.loads`. particles : in the reference body.
+    """
+
+    def __init__(self, loads: tuple[Load, ...], particles: Particles, geometry: Geometry) -> None:
+        self._dimension = particles.positions.shape[1]
+        held = supports(loads, self._dimension)
+        names = list(dict.fromkeys(load.boundary for load in held))
+        self._surfaces = {
+            name: Surface(particles.faces[name], particles.positions, geometry) for name in names
+        }
+        self._by_axis: list[list[Prescribed]] = [
+            [load for load in held if load.component == axis] for axis in range(self._dimension)
+        ]
+        self.impulses = {name: np.zeros(self._dimension) for name in names}
+
+    def impose(
+        self,
+        background: Background,
+        time: float,
+        positions: np.ndarray,
+        deformation_gradient: np.ndarray,
+    ) -> Hold:
+        """Change the velocities after the forces so that they are those prescribed at a time [s]."""
+        for impulse in self.impulses.values():
+            impulse[:] = 0.0
+        places = {name: s.points(positions, deformation_gradient) for name, s in self._surfaces.items()}
+        work, energy = 0.0, 0.0
+        for axis, loads in enumerate(self._by_axis):
+            if not loads:
+                continue
+            anchors = background.anchors(np.concatenate([places[load.boundary] for load in loads]))
+            wanted = np.concatenate(
+                [
+                    at_points(load.velocity, self._surfaces[load.boundary].reference_points, time)
+                    for load in loads
+                ]
+            )
+            found = anchors.after(axis)
+            impulses = solve(anchors, axis, wanted - found)
+            anchors.push(axis, impulses)
+            reached = anchors.after(axis)
+            work += 0.5 * float((impulses * (anchors.before(axis) + reached)).sum())
+            energy += 0.5 * float((impulses * (found + reached)).sum())
+            cuts = np.cumsum([len(places[load.boundary]) for load in loads])[:-1]
+            for load, part in zip(loads, np.split(impulses, cuts), strict=True):
+                self.impulses[load.boundary][axis] += part.sum()
+        return Hold(work, energy)
+
+
+def solve(anchors: Anchors, axis: int, wanted: np.ndarray) -> np.ndarray:
+    """Impulses (k,) [N s] at the points that change their velocities by `wanted` (k,) [m/s]: conjugate gradients."""
+    impulses, rest = np.zeros_like(wanted), wanted.copy()
+    direction, square = rest.copy(), float((rest * rest).sum())
+    goal = CLOSE * float(np.abs(wanted).max())
+    for _ in range(MOST_ITERATIONS):
+        if float(np.abs(rest).max()) <= goal:
+            break
+        response = anchors.response(axis, direction)
+        step = square / float((direction * response).sum())
+        impulses += step * direction
+        rest -= step * response
+        square, before = float((rest * rest).sum()), square
+        direction = rest + square / before * direction
+    return impulses

@@ -1,0 +1,51 @@
+"""Points on a boundary that loads and supports act at: the middles of the particles' faces."""
+
+import numpy as np
+
+from core_models.geometry import Axisymmetric, Geometry
+from meshes.facets import facet_vectors
+from mpm.particles import Faces
+from mpm.shape import deformed
+
+
+class Surface:
+    """The faces along one boundary, with their middles and areas.
+
+    Parameters
+    ----------
+    faces : of the boundary. reference : (n, d) positions of the particles in the reference body [m].
+    """
+
+    def __init__(self, faces: Faces, reference: np.ndarray, geometry: Geometry) -> None:
+        self._particles, self._corners = faces.particles, faces.corners
+        self._middles = _middles(faces.corners)
+        self._revolved = isinstance(geometry, Axisymmetric)
+        self.reference_points = reference[faces.particles] + self._middles[:, 0]
+        self.reference_areas = np.linalg.norm(self._vectors(faces.corners, self.reference_points), axis=1)
+
+    def points(self, positions: np.ndarray, deformation_gradient: np.ndarray) -> np.ndarray:
+        """Current middles (k, d) [m] of the faces."""
+        return deformed(self._particles, self._middles, positions, deformation_gradient)[:, 0]
+
+    def area_vectors(
+        self, points: np.ndarray, positions: np.ndarray, deformation_gradient: np.ndarray
+    ) -> np.ndarray:
+        """Current outward normals (k, d) of the faces, as long as their areas [m^2]; `points` are their middles."""
+        corners = deformed(self._particles, self._corners, positions, deformation_gradient)
+        return self._vectors(corners, points)
+
+    def _vectors(self, corners: np.ndarray, points: np.ndarray) -> np.ndarray:
+        vectors = facet_vectors(corners)
+        return 2.0 * np.pi * points[:, :1] * vectors if self._revolved else vectors
+
+
+def _middles(corners: np.ndarray) -> np.ndarray:
+    """Middles (k, 1, d) of faces with corners (k, c, d): of area, also where two corners of a quad coincide."""
+    if corners.shape[1] == 2:
+        return corners.mean(axis=1, keepdims=True)
+    halves = np.stack([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]], axis=1)
+    areas = np.linalg.norm(
+        np.cross(halves[:, :, 1] - halves[:, :, 0], halves[:, :, 2] - halves[:, :, 0]), axis=2
+    )
+    share = areas / areas.sum(axis=1, keepdims=True)
+    return np.einsum("kh,khi->ki", share, halves.mean(axis=2))[:, None]
