@@ -9,6 +9,7 @@ import math
 import numbers
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import ClassVar
 
 import numpy as np
@@ -27,6 +28,11 @@ class Trial:
     gradients: np.ndarray
     before: np.ndarray
     stresses: np.ndarray
+
+    @cached_property
+    def rates(self) -> np.ndarray:
+        """L dt = ln(F_1 F_0^-1) of each trial (m, 3, 3)."""
+        return matrix_logarithm(self.gradients @ np.linalg.inv(self.before))
 
 
 @dataclass(frozen=True)
@@ -103,8 +109,8 @@ class Stretch:
         if self.target is None:
             return start
         if callable(self.target):
-            stretch = self.target(span.end)
-            if not stretch > 0.0:
+            stretch = float(self.target(span.end))
+            if stretch <= 0.0:
                 raise SceneError(
                     f"a stretch must be positive, not {stretch:g} at t = {span.end:g} s of its segment"
                 )
@@ -135,13 +141,13 @@ class VelocityGradient:
         _check_target("L", self.rate)
 
     def measure(self, trial: Trial, i: int, j: int) -> np.ndarray:
-        """L_ij dt of each trial: ln(F_1 F_0^-1)_ij."""
-        return matrix_logarithm(trial.gradients @ np.linalg.inv(trial.before))[:, i, j]
+        """L_ij dt of each trial."""
+        return trial.rates[:, i, j]
 
     def goal(self, span: Span, start: float) -> float:
         """L_ij dt over the span."""
         rate = self.rate(0.5 * (span.begin + span.end)) if callable(self.rate) else self.rate
-        return rate * (span.end - span.begin)
+        return float(rate * (span.end - span.begin))
 
     def change(self, duration: float, start: float) -> float:
         """Size of L_ij times the duration, as far as it is known before [-]."""

@@ -37,6 +37,15 @@ class Condition:
         """Whether the control is one of a stress."""
         return isinstance(self.control, Stress)
 
+    def goal(self, span: Span) -> float:
+        """What the control asks for at the end of a span. Raises SceneError where its function gives no number."""
+        goal = self.control.goal(span, self.start)
+        if not math.isfinite(goal):
+            raise SceneError(
+                f"the function for {self.name} gives {goal!r} at t = {span.end:g} s of its segment"
+            )
+        return goal
+
 
 def conditions_of(points: MaterialPoints, segment: Segment, number: int) -> list[Condition]:
     """The conditions of all nine components; points stand where segment `number` begins.
@@ -68,6 +77,6 @@ def _check_volume(conditions: list[Condition], segment: Segment, number: int) ->
     if not all(c.is_given and not callable(c.control.target) for c in conditions):
         return
     whole = Span(0.0, segment.duration, segment.duration)
-    ratio = float(np.linalg.det(np.reshape([c.control.goal(whole, c.start) for c in conditions], (3, 3))))
+    ratio = float(np.linalg.det(np.reshape([c.goal(whole) for c in conditions], (3, 3))))
     if not ratio > 0.0:
         raise SceneError(f"segment {number} leads to det F = {ratio:.6g}: a volume must stay positive")

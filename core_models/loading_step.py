@@ -13,8 +13,8 @@ TRIALS = 10  # points that are advanced together: a deformation, and a change of
 ITERATIONS = 40
 HALVINGS = 12  # of a Newton step
 CUTS = 8  # halvings of a time step
-LARGEST_CORRECTION = 0.2  # of the deformation gradient in an iteration, of its size
-DIFFERENCE = 1e-7  # for slopes, of the size of the deformation gradient
+LARGEST_CORRECTION = 0.2  # of a component in an iteration, of the stretch of its fibre
+DIFFERENCE = 1e-7  # for slopes, of the same
 STRESS_TOLERANCE = 1e-9  # of the largest stress component
 MEASURE_TOLERANCE = 1e-13  # of stretches and L dt
 ROUND_OFF = 16.0 * np.finfo(float).eps  # of the stiffness: what stresses can be told apart by
@@ -27,11 +27,13 @@ class UnmetControls(Exception):
 
 @dataclass(frozen=True)
 class Attempt:
-    """A deformation gradient, by how much it misses the goals (k,), the slopes of that by the components sought (k, k),
-    and how much may be missed (k,); stresses over the stiffness.
+    """A deformation gradient, the stretches of the fibres whose components are sought (k,), by how much the goals are
+    missed (k,), the slopes of that by the components over these stretches (k, k), and how much may be missed (k,);
+    stresses over the stiffness.
     """
 
     deformation: np.ndarray
+    stretches: np.ndarray
     missed: np.ndarray
     slopes: np.ndarray
     limits: np.ndarray
@@ -101,10 +103,10 @@ class SegmentLoading:
     def _found(self, span: Span, dt: float, before: np.ndarray) -> np.ndarray:
         deformation = before + self._last_rate * dt
         for c in self._given:
-            deformation[c.i, c.j] = c.control.goal(span, c.start)
+            deformation[c.i, c.j] = c.goal(span)
         if not self._sought:
             return deformation
-        goals = np.array([c.control.goal(span, c.start) for c in self._sought])
+        goals = np.array([c.goal(span) for c in self._sought])
         attempt = self._attempt(deformation, dt, before, goals)
         for _iteration in range(ITERATIONS):
             if attempt.is_met.all():
@@ -130,23 +132,23 @@ class SegmentLoading:
     def _attempt(self, deformation: np.ndarray, dt: float, before: np.ndarray, goals: np.ndarray) -> Attempt:
         trials = self._points.deformation_gradient
         trials[:] = deformation
-        changes = self._spread(trials, DIFFERENCE * np.linalg.norm(deformation))
+        stretches = np.array([np.linalg.norm(deformation[:, c.j]) for c in self._sought])
+        changes = self._spread(trials, DIFFERENCE * stretches)
         if self._is_stress.any():
             self._points.advance(dt)
         trial = Trial(trials, before, self._points.new.stress)
         measures = np.stack([c.control.measure(trial, c.i, c.j) for c in self._sought], axis=1)
         missed = (measures - goals) / self._scale
-        slopes = ((missed[1 : len(changes) + 1] - missed[0]) / changes[:, None]).T
-        return Attempt(deformation, missed[0], slopes, self._limits(goals, trial.stresses[0]))
+        slopes = ((missed[1 : len(changes) + 1] - missed[0]) * (stretches / changes)[:, None]).T
+        return Attempt(deformation, stretches, missed[0], slopes, self._limits(goals, trial.stresses[0]))
 
-    def _spread(self, trials: np.ndarray, size: float) -> np.ndarray:
+    def _spread(self, trials: np.ndarray, sizes: np.ndarray) -> np.ndarray:
         """Change one sought component in each trial but the first; returns by how much, after rounding."""
-        changes = np.empty(len(self._sought))
-        for row, c in enumerate(self._sought):
-            unchanged = trials[row + 1, c.i, c.j]
-            trials[row + 1, c.i, c.j] += size
-            changes[row] = trials[row + 1, c.i, c.j] - unchanged
-        return changes
+        for row, (c, size) in enumerate(zip(self._sought, sizes, strict=True), 1):
+            trials[row, c.i, c.j] += size
+        return np.array(
+            [trials[row, c.i, c.j] - trials[0, c.i, c.j] for row, c in enumerate(self._sought, 1)]
+        )
 
     def _limits(self, goals: np.ndarray, stress: np.ndarray) -> np.ndarray:
         largest = max(np.abs(stress).max(), np.abs(goals[self._is_stress]).max(initial=0.0))
@@ -157,10 +159,10 @@ class SegmentLoading:
     def _correction(self, attempt: Attempt) -> np.ndarray:
         # Least squares: a point without strength leaves components open, and these then stay where they are.
         found = np.linalg.lstsq(attempt.slopes, -attempt.missed, rcond=NO_SLOPE)[0]
-        size, largest = np.linalg.norm(found), LARGEST_CORRECTION * np.linalg.norm(attempt.deformation)
+        found *= LARGEST_CORRECTION / max(np.abs(found).max(), LARGEST_CORRECTION)
         correction = np.zeros((3, 3))
-        for c, value in zip(self._sought, found, strict=True):
-            correction[c.i, c.j] = value if size <= largest else value * (largest / size)
+        for c, value in zip(self._sought, found * attempt.stretches, strict=True):
+            correction[c.i, c.j] = value
         return correction
 
     def _complaint(self, goals: np.ndarray, attempt: Attempt) -> str:

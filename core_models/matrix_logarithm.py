@@ -3,6 +3,7 @@
 import numpy as np
 
 TERMS = 200
+DIVERGENCE = 1e6
 
 
 def matrix_logarithm(matrices: np.ndarray) -> np.ndarray:
@@ -21,6 +22,8 @@ def matrix_logarithm(matrices: np.ndarray) -> np.ndarray:
         power = power @ square
         term = power / (2 * k + 1)
         total += term
+        if not np.abs(power).max() < DIVERGENCE:
+            break
         if not np.abs(term).max() > np.finfo(float).eps * np.abs(total).max():
             return 2.0 * total
     return np.full_like(matrices, np.nan)

@@ -7,6 +7,9 @@ import numpy as np
 from core_models.geometry import Axisymmetric, Geometry
 from fem.tables import Tables
 
+COMPONENTS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
+EVENING_ROUNDS = 4
+
 
 class Metric(NamedTuple):
     """tensors : (m, q, 6) H in the order 11, 22, 33, 12, 23, 31 [1/(kg m^-1)]; free : (n,) 0 for a node on the axis,
@@ -32,12 +35,32 @@ def make_metric(
         free = (points[:, 0] > 0.0).astype(np.float64)
         gradients = gradients.copy()
         gradients[..., 2] *= free[tables.nodes][:, None]
-    length = np.sqrt((gradients**2).sum(axis=3))
-    share = tables.weights[..., None] * length
+    share = _shares(tables.weights, gradients, corner_mass)
+    return Metric(np.ascontiguousarray(_symmetric(tables.weights, gradients, share)), free, hourglass)
+
+
+def _shares(weights: np.ndarray, gradients: np.ndarray, corner_mass: np.ndarray) -> np.ndarray:
+    """Masses (m, q, a) [kg] that the points get of the corners: any are right, these make the points much alike."""
+    share = weights[..., None] * np.linalg.norm(gradients, axis=3)
     share *= (corner_mass / share.sum(axis=1))[:, None]
-    over_mass = np.divide(tables.weights[..., None], share, out=np.zeros_like(share), where=share > 0.0)
-    full = np.zeros((*tables.weights.shape, 3, 3))
-    components = gradients.shape[3]
-    full[..., :components, :components] = np.einsum("eqa,eqai,eqaj->eqij", over_mass, gradients, gradients)
-    tensors = full[..., [0, 1, 2, 0, 1, 2], [0, 1, 2, 1, 2, 0]]
-    return Metric(np.ascontiguousarray(tensors), free, hourglass)
+    for _round in range(EVENING_ROUNDS):
+        share *= np.sqrt(_largest(_symmetric(weights, gradients, share)))[..., None]
+        share *= (corner_mass / share.sum(axis=1))[:, None]
+    return share
+
+
+def _symmetric(weights: np.ndarray, gradients: np.ndarray, share: np.ndarray) -> np.ndarray:
+    """H (m, q, 6) [1/(kg m^-1)] for the shares of mass."""
+    over_mass = np.divide(weights[..., None], share, out=np.zeros_like(share), where=share > 0.0)
+    tensors = np.zeros((*weights.shape, 6))
+    for k, (i, j) in enumerate(COMPONENTS):
+        if j < gradients.shape[3] and i < gradients.shape[3]:
+            tensors[..., k] = np.einsum("eqa,eqa,eqa->eq", over_mass, gradients[..., i], gradients[..., j])
+    return tensors
+
+
+def _largest(tensors: np.ndarray) -> np.ndarray:
+    """A bound of the largest eigenvalue of symmetric tensors (..., 6), exact if two are equal."""
+    third = tensors[..., :3].mean(axis=-1, keepdims=True)
+    square = ((tensors[..., :3] - third) ** 2).sum(axis=-1) + 2.0 * (tensors[..., 3:] ** 2).sum(axis=-1)
+    return third[..., 0] + np.sqrt(square * (2.0 / 3.0))

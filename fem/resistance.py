@@ -43,12 +43,15 @@ def resist(
             for q in range(points_of(element)):
                 i = points_of(element) * e + q
                 scale = read(scales, i, 1.0)
+                shrink = 1.0 / scale
                 cofactor, theta = cofactor_of(geometry, gradients, i)
-                weight = tables.weights[e, q] * scale
-                isotropic = scratch[q, PROJECTED + PRESSURE] / (scale * scale * scale)
-                put_force(geometry, scratch, q, weight, load_symmetric(stress, i), isotropic, cofactor)
+                isotropic = scratch[q, PROJECTED + PRESSURE] * (shrink * shrink * shrink)
+                weight = tables.weights[e, q]
+                put_force(
+                    geometry, scratch, q, weight * scale, load_symmetric(stress, i), isotropic, cofactor
+                )
                 put_stiffness(
-                    geometry, metric, scratch, e, q, tables.weights[e, q], scale, cofactor, theta, density, shear,
+                    geometry, metric, scratch, e, q, weight, shrink, cofactor, theta, density, shear,
                     wave_speed[i], read(viscous, i, 0.0),
                 )  # fmt: skip
             for a in range(nodes_of(element)):

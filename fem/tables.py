@@ -46,18 +46,15 @@ def make_space(mesh: Mesh, geometry: Geometry, integration: str, density: float)
     one_point = is_one_point_brick(mesh.kind, integration)
     places, rule_weights = rule(mesh.kind, None if integration == FULL or one_point else _REDUCED_DEGREE)
     corners = mesh.points[mesh.cells]
-    shape, gradients, weights, areas = _at_points(mesh.kind, corners, geometry, places, rule_weights)
+    jacobian, areas, weights = _measures(mesh.kind, corners, geometry, places, rule_weights)
+    gradients = _gradients(mesh.kind, corners, geometry, places, jacobian)
     if one_point:
         # Flanagan & Belytschko's uniform gradient: the mean over the volume, which passes the patch test in all
         # geometries; the gradient at the centre does not where the volume's weight is not constant.
         volumes = weights.sum(axis=1, keepdims=True)
         gradients = np.einsum("eq,eqaD->eaD", weights / volumes, gradients)[:, None]
         places = np.full((1, kind.dimension), 0.5)
-        shape, weights, areas = (
-            shape_functions(mesh.kind, places)[0],
-            volumes,
-            areas.sum(axis=1, keepdims=True),
-        )
+        weights, areas = volumes, areas.sum(axis=1, keepdims=True)
     simplex_factor = (2.0 if kind.dimension == 2 else 6.0) ** (1.0 / kind.dimension)
     tables = Tables(
         mesh.cells,
@@ -66,7 +63,12 @@ def make_space(mesh: Mesh, geometry: Geometry, integration: str, density: float)
         np.ascontiguousarray(areas),
         (simplex_factor if kind.simplex else 1.0) / kind.degree,
     )
-    return Space(tables, places, shape, lumped_mass(mesh.kind, corners, geometry, density))
+    return Space(
+        tables,
+        places,
+        shape_functions(mesh.kind, places)[0],
+        lumped_mass(mesh.kind, corners, geometry, density),
+    )
 
 
 def lumped_mass(kind: str, corners: np.ndarray, geometry: Geometry, density: float) -> np.ndarray:
@@ -77,7 +79,9 @@ def lumped_mass(kind: str, corners: np.ndarray, geometry: Geometry, density: flo
     245.
     """
     degree = KINDS[kind].degree
-    shape, _, weights, _ = _at_points(kind, corners, geometry, *rule(kind, 2 * degree + 1))
+    places, rule_weights = rule(kind, 2 * degree + 1)
+    shape = shape_functions(kind, places)[0]
+    weights = _measures(kind, corners, geometry, places, rule_weights)[2]
     if degree == 1:
         return density * np.einsum("eq,qa->ea", weights, shape)
     diagonal = np.einsum("eq,qa->ea", weights, shape**2)
@@ -85,19 +89,28 @@ def lumped_mass(kind: str, corners: np.ndarray, geometry: Geometry, density: flo
     return diagonal * (total / diagonal.sum(axis=1, keepdims=True))
 
 
-def _at_points(
+def _measures(
     kind: str, corners: np.ndarray, geometry: Geometry, places: np.ndarray, rule_weights: np.ndarray
-):
-    """Shape functions (q, a), their gradients (m, q, a, D), weights and plane areas (m, q) at reference places."""
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Jacobians (m, q, d, d) dX/dxi, plane areas and reference volumes (m, q) at reference places (q, d)."""
     shape, local = shape_functions(kind, places)
-    jacobian = np.einsum("eai,qaj->eqij", corners, local)
+    jacobian = corners.transpose(0, 2, 1)[:, None] @ local
     areas = rule_weights * np.linalg.det(jacobian)
-    gradients = np.einsum("qaj,eqji->eqai", local, np.linalg.inv(jacobian))
     if not isinstance(geometry, Axisymmetric):
-        return shape, gradients, areas, areas
-    radius = np.einsum("qa,ea->eq", shape, corners[:, :, 0])
-    hoop = shape[None] / radius[:, :, None]
-    return shape, np.concatenate([gradients, hoop[..., None]], axis=3), 2.0 * np.pi * radius * areas, areas
+        return jacobian, areas, areas
+    return jacobian, areas, 2.0 * np.pi * np.einsum("qa,ea->eq", shape, corners[:, :, 0]) * areas
+
+
+def _gradients(
+    kind: str, corners: np.ndarray, geometry: Geometry, places: np.ndarray, jacobian: np.ndarray
+) -> np.ndarray:
+    """Gradients (m, q, a, D) of the shape functions, and N_a / R behind them in the axisymmetric body."""
+    shape, local = shape_functions(kind, places)
+    gradients = local @ np.linalg.inv(jacobian)
+    if not isinstance(geometry, Axisymmetric):
+        return gradients
+    hoop = shape / np.einsum("qa,ea->eq", shape, corners[:, :, 0])[:, :, None]
+    return np.concatenate([gradients, hoop[..., None]], axis=3)
 
 
 class NodeElements(NamedTuple):

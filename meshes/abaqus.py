@@ -4,14 +4,14 @@ Read here and not by meshio, which knows neither surfaces nor axisymmetric and p
 """
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 
 from core_models.errors import MeshError
 from core_models.names import suggestion
+from meshes.abaqus_text import Card, cards, element_type, name_of, number_of, range_of, rows_of
 from meshes.kinds import FACET_NODES, KINDS
 from meshes.parsed import Block, Named, Parsed
 
@@ -21,26 +21,8 @@ FACES = {"tri": (0, 1, 2), "quad": (0, 1, 2, 3), "tet": (3, 0, 1, 2), "hex": (4,
 ORDERS = {"line3": (0, 2, 1), "hex27": (*range(20), 26, 24, 23, 25, 21, 22, 20)}
 """Places in Abaqus's elements of the nodes in VTK's order, where these differ."""
 
-LONGEST_RANGE = 10**7
-"""Of node or element numbers in one set, beyond which a file is taken for damaged."""
-
-_TYPE = re.compile(r"(CPS|CPE|CAX|DC2D|DCAX|M3D|SFM3D|R3D|STRI|S|DC3D|C3D|T2D|T3D|B2|B3)(\d+?)(?:[5A-Z]\w*)?")
-_SOLID = {"4": "tet4", "8": "hex8", "10": "tet10", "20": "hex20", "27": "hex27"}
-_PLANE = {"3": "tri3", "4": "quad4", "6": "tri6", "8": "quad8", "9": "quad9"}
-_LINE = {"2": "line2", "3": "line3"}
-_BEAM = {"1": "line2", "2": "line3", "3": "line3"}
-
 _MAKERS = ("INCLUDE", "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM")
 """Keywords that make or move nodes or elements, which cannot be skipped."""
-
-
-class _Card(NamedTuple):
-    """A keyword with its parameters, its data lines, and its line number in the file."""
-
-    keyword: str
-    parameters: dict[str, str]
-    data: list[list[str]]
-    line: int
 
 
 def read_abaqus(path: Path) -> Parsed:
@@ -51,7 +33,7 @@ def read_abaqus(path: Path) -> Parsed:
     """
     reader = _Reader(path)
     parts = 0
-    for card in _cards(path):
+    for card in cards(path):
         parts += card.keyword == "PART"
         if parts > 1:
             raise MeshError(f"{path}:{card.line}: holds more than one part; export one body in one part")
@@ -68,28 +50,6 @@ def read_abaqus(path: Path) -> Parsed:
     return reader.parsed()
 
 
-def _cards(path: Path) -> Iterator[_Card]:
-    """The keywords of a file one by one, comments left out."""
-    card = None
-    with path.open(encoding="utf-8", errors="replace") as file:
-        for number, line in enumerate(file, 1):
-            text = line.strip()
-            if text.startswith("**") or not text:
-                continue
-            if not text.startswith("*"):
-                if card is not None:
-                    card.data.append([entry.strip() for entry in text.rstrip(",").split(",")])
-                continue
-            if card is not None:
-                yield card
-            keyword, *words = (word.strip() for word in text[1:].split(","))
-            pairs = (word.partition("=") for word in words)
-            parameters = {key.strip().upper(): value.strip().strip('"') for key, _, value in pairs}
-            card = _Card(" ".join(keyword.upper().split()), parameters, [], number)
-    if card is not None:
-        yield card
-
-
 class _Reader:
     """Collects cards; sets are known by their names in upper case, as Abaqus takes them."""
 
@@ -104,9 +64,9 @@ class _Reader:
         self._element_sets: dict[str, list[int]] = {}
         self._faces: dict[str, list[tuple[int, int, int]]] = {}
 
-    def take(self, card: _Card) -> None:
+    def take(self, card: Card) -> None:
         """Read one keyword, if it is of the mesh."""
-        known: dict[str, Callable[[_Card], None]] = {
+        known: dict[str, Callable[[Card], None]] = {
             "NODE": self._nodes,
             "ELEMENT": self._elements,
             "NSET": self._node_set,
@@ -125,11 +85,11 @@ class _Reader:
         named = {name: self._named(key) for key, name in self._spelling.items()}
         return Parsed(np.array(self._coordinates), self._blocks, named)
 
-    def _nodes(self, card: _Card) -> None:
+    def _nodes(self, card: Card) -> None:
         if card.parameters.get("SYSTEM", "R").upper() != "R":
             raise ValueError("coordinates that are not rectangular")
         for entries in card.data:
-            number, values = int(entries[0]), [_number(entry) for entry in entries[1:4]]
+            number, values = int(entries[0]), [number_of(entry) for entry in entries[1:4]]
             if len(values) < 2:
                 raise ValueError(f"node {number} has {len(values)} coordinates")
             place = np.array([*values, 0.0][:3])
@@ -139,15 +99,12 @@ class _Reader:
             self._coordinates.append(place)
             self._add(self._node_sets, card.parameters.get("NSET"), [number])
 
-    def _elements(self, card: _Card) -> None:
-        kind = element_type(_name(card, "TYPE"))
+    def _elements(self, card: Card) -> None:
+        kind = element_type(name_of(card, "TYPE"))
         nodes = FACET_NODES.get(kind, KINDS[kind].reference_nodes if kind in KINDS else None)
-        rows = _rows(card.data, None if nodes is None else len(nodes) + 1)
+        rows = rows_of(card.data, None if nodes is None else len(nodes) + 1)
         numbers = [row[0] for row in rows]
-        try:
-            cells = np.array([[self._node_number[node] for node in row[1:]] for row in rows], dtype=np.int64)
-        except KeyError as error:
-            raise ValueError(f"node {error} is used but not given") from None
+        cells = np.array([[self._node(node) for node in row[1:]] for row in rows], dtype=np.int64)
         if kind in ORDERS and len(cells):
             cells = cells[:, ORDERS[kind]]
         for row, number in enumerate(numbers):
@@ -158,16 +115,16 @@ class _Reader:
             self._blocks.append(Block(kind, cells))
         self._add(self._element_sets, card.parameters.get("ELSET"), numbers)
 
-    def _node_set(self, card: _Card) -> None:
-        self._add(self._node_sets, _name(card, "NSET"), self._members(card, self._node_sets, "node set"))
+    def _node_set(self, card: Card) -> None:
+        self._add(self._node_sets, name_of(card, "NSET"), self._members(card, self._node_sets, "node set"))
 
-    def _element_set(self, card: _Card) -> None:
+    def _element_set(self, card: Card) -> None:
         self._add(
-            self._element_sets, _name(card, "ELSET"), self._members(card, self._element_sets, "element set")
+            self._element_sets, name_of(card, "ELSET"), self._members(card, self._element_sets, "element set")
         )
 
-    def _surface(self, card: _Card) -> None:
-        name, kind = _name(card, "NAME"), card.parameters.get("TYPE", "ELEMENT").upper()
+    def _surface(self, card: Card) -> None:
+        name, kind = name_of(card, "NAME"), card.parameters.get("TYPE", "ELEMENT").upper()
         if kind == "NODE":
             whole = card._replace(data=[entries[:1] for entries in card.data])
             self._add(self._node_sets, name, self._members(whole, self._node_sets, "node set"))
@@ -186,11 +143,11 @@ class _Reader:
                     raise ValueError(f"element {number} has no face {face}")
                 faces.append((block, row, ours[int(face[1]) - 1]))
 
-    def _members(self, card: _Card, sets: dict[str, list[int]], what: str) -> list[int]:
+    def _members(self, card: Card, sets: dict[str, list[int]], what: str) -> list[int]:
         """The numbers that a set lists, by themselves, as ranges, or as sets."""
         if "GENERATE" in card.parameters:
             ranges = ([int(entry) for entry in entries] for entries in card.data)
-            return [number for limits in ranges for number in _range(limits)]
+            return [number for limits in ranges for number in range_of(limits)]
         members = []
         for entry in (entry for entries in card.data for entry in entries if entry):
             if entry.isdecimal():
@@ -212,60 +169,26 @@ class _Reader:
         self._spelling.setdefault(name.upper(), name)
         return name.upper()
 
+    def _node(self, number: int) -> int:
+        if number not in self._node_number:
+            raise ValueError(f"node {number} is used but not given")
+        return self._node_number[number]
+
     def _place(self, number: int) -> tuple[int, int]:
         if number not in self._element_place:
             raise ValueError(f"element {number} is used but not given")
         return self._element_place[number]
 
     def _named(self, key: str) -> Named:
-        places = [self._place(number) for number in self._element_sets.get(key, [])]
         try:
-            nodes = [self._node_number[number] for number in self._node_sets.get(key, [])]
-        except KeyError as error:
+            places = [self._place(number) for number in self._element_sets.get(key, [])]
+            nodes = [self._node(number) for number in self._node_sets.get(key, [])]
+        except ValueError as error:
             raise MeshError(
-                f"{self._path}: node {error} of the set '{self._spelling[key]}' is not given; export the file again"
+                f"{self._path}: the set '{self._spelling[key]}' cannot be read ({error})"
             ) from None
         return Named(
             np.array(places, dtype=np.int64).reshape(-1, 2),
             np.array(self._faces.get(key, []), dtype=np.int64).reshape(-1, 3),
             np.array(nodes, dtype=np.int64),
         )
-
-
-def element_type(name: str) -> str:
-    """The kind of element or facet that an Abaqus type such as CAX4R is; its own name when it is none."""
-    found = _TYPE.fullmatch(name.upper())
-    if found is None:
-        return name
-    family, count = found.groups()
-    table = {"C3D": _SOLID, "DC3D": _SOLID, "T2D": _LINE, "T3D": _LINE, "B2": _BEAM, "B3": _BEAM}
-    return table.get(family, _PLANE).get(count, name)
-
-
-def _rows(data: list[list[str]], length: int | None) -> list[list[int]]:
-    """Whole numbers in rows of so many, which may run over lines; without a length every line is a row."""
-    lines = [[int(entry) for entry in entries if entry] for entries in data]
-    if length is None:
-        return lines
-    flat = [number for line in lines for number in line]
-    if len(flat) % length:
-        raise ValueError(f"{len(flat)} numbers do not make elements of {length - 1} nodes")
-    return [flat[start : start + length] for start in range(0, len(flat), length)]
-
-
-def _number(text: str) -> float:
-    """A number as Fortran writes it; an empty place is 0."""
-    return float(text.replace("D", "E").replace("d", "e") or 0.0)
-
-
-def _range(limits: list[int]) -> range:
-    """The numbers from the first to the last, by the step if there is one."""
-    if len(limits) not in (2, 3) or limits[1] - limits[0] > LONGEST_RANGE:
-        raise ValueError(f"{limits} is no range of numbers")
-    return range(limits[0], limits[1] + 1, *limits[2:])
-
-
-def _name(card: _Card, key: str) -> str:
-    if not card.parameters.get(key):
-        raise ValueError(f"it has no {key}")
-    return card.parameters[key]

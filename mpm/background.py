@@ -45,7 +45,7 @@ class Background:
         self._pairs = [(mirror.axis, *pair) for mirror in mirrors for pair in mirror.pairs(layers(shape))]
         self._scratch = [make_scratch(len(bounds)) for _thread in range(threads.count)]
         self.blocks = 0
-        self._beyond = np.zeros(len(self._pairs))
+        self._beyond = [0.0] * len(self._pairs)
 
     def surround(self, positions: np.ndarray) -> None:
         """Make a grid with room for particles at these positions (n, d) [m]."""
@@ -75,11 +75,18 @@ class Background:
         particles : what `to_grid` takes from `positions` on.
         """
         self.threads.run(clear, self.blocks, self.grid.nodes, RECORD * block_nodes(self.geometry))
+        self.by_colour(to_grid, *particles)
+        self._beyond = self.fold(self.grid.nodes, RECORD)
+        self.threads.run(settle, self.blocks, self.geometry, self.grid, self.energies)
+        self.reflect(self.grid.nodes, RECORD)
+
+    def by_colour(self, kernel, *arguments) -> None:
+        """Run a kernel that adds to nodes over all homes, those of one colour at a time."""
         # One thread may take all colours at once: the sums are the same, in the same order.
         colours = self.order.colours if self.threads.count > 1 else self.order.colours[[0, -1]]
         for begin, end in zip(colours[:-1].tolist(), colours[1:].tolist(), strict=True):
             self.threads.run_with(
-                to_grid,
+                kernel,
                 end - begin,
                 self._scratch,
                 self.geometry,
@@ -87,12 +94,12 @@ class Background:
                 self.grid,
                 self.order,
                 begin,
-                *particles,
+                *arguments,
             )
-        for number, (axis, beyond, image) in enumerate(self._pairs):
-            self._beyond[number] = fold(self.geometry, self.grid, axis, beyond, image)
-        self.threads.run(settle, self.blocks, self.geometry, self.grid, self.energies)
-        self.reflect(self.grid.nodes, RECORD)
+
+    def fold(self, records: np.ndarray, size: int) -> list[float]:
+        """Add what nodes beyond symmetry planes hold to their mirror images; returns what `mirrors.fold` does."""
+        return [fold(self.geometry, self.grid, *pair, records, size) for pair in self._pairs]
 
     def accelerate(self, dt: float, damping: float) -> None:
         """Velocities after the forces have acted for dt [s]; nodes beyond symmetry planes wait for `reflect`."""

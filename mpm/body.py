@@ -99,6 +99,11 @@ class Body:
         """Current positions (k, d) [m] of the corners of the particles' faces on a named boundary, each once."""
         return self.boundary.corners(name, self.positions, self.points.old_deformation_gradient)
 
+    def boundary_points(self, name: str) -> tuple[np.ndarray, np.ndarray]:
+        """Reference and current positions (k, d) [m] of the same corners."""
+        undeformed = np.broadcast_to(np.eye(3), (self.points.n, 3, 3))
+        return self.boundary.corners(name, self.reference_positions, undeformed), self.boundary_positions(name)
+
     def _displace(self, displacement: Any) -> None:
         """Move the particles to X + u(X) and give them the state of that deformation."""
         if not callable(displacement):

@@ -15,7 +15,7 @@ from core_models.load_checks import AXES, symmetry_plane
 from core_models.loads import Load, Symmetry
 from core_models.walls import Wall
 from meshes.mesh import Mesh
-from mpm.grid import FORCE, RECORD, block_nodes
+from mpm.grid import VELOCITY, block_nodes
 
 FIT = 1e-6  # cells that planes may be off whole numbers of cells
 
@@ -67,12 +67,13 @@ def find_mirrors(
 
 
 @kernel
-def fold(geometry, grid, axis, beyond, image):
+def fold(geometry, grid, axis, beyond, image, records, size):
     """Add the records of the nodes `beyond` along an axis to those of their images, and clear them.
 
-    Returns the sum of their forces along the axis [N].
+    records : flat, `size` numbers for each node: one or two pieces of a vector and a number.
+    Returns the sum of the last vectors' components along the axis.
     """
-    nodes, count = grid.nodes, block_nodes(geometry)
+    count = block_nodes(geometry)
     stride, place, steps, offset = layer(grid, axis, beyond, image)
     total = 0.0
     for home in range(grid.table.shape[0] if 0 <= place < grid.shape[axis] else 0):
@@ -84,13 +85,13 @@ def fold(geometry, grid, axis, beyond, image):
         for local in range(count):
             if (local >> (2 * axis)) & 3 != beyond & 3:
                 continue
-            source = RECORD * (grid.table[home] * count + local)
-            target = RECORD * (partner * count + local + offset)
-            total += nodes[source + FORCE + axis]
-            for c in range(RECORD):
-                sign = -1.0 if c == axis or c == FORCE + axis else 1.0
-                nodes[target + c] += sign * nodes[source + c]
-                nodes[source + c] = 0.0
+            source = size * (grid.table[home] * count + local)
+            target = size * (partner * count + local + offset)
+            total += records[source + size - VELOCITY + axis]
+            for c in range(size):
+                sign = -1.0 if c & 3 == axis else 1.0
+                records[target + c] += sign * records[source + c]
+                records[source + c] = 0.0
     return total
 
 

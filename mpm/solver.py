@@ -34,6 +34,7 @@ from mpm.particles import GAUSS, rim_faces
 from mpm.supports import Hold, Supports
 from mpm.to_particles import ENERGY, SPEED
 from mpm.transfers import make_transfer
+from mpm.xpic import Filter
 
 
 class Solver(Body):
@@ -105,6 +106,7 @@ class Solver(Body):
         self._contact = None
         if wall is not None:
             self._contact = Contact(wall, rim_faces(mesh, kind, seeding, self.particles, mirrored))
+        self._filter = Filter(self._transfer.order) if self._transfer.order else None
         self._damping = damping_of(loads)
         self._forces = Forces(loads, self.particles, kind, material.density)
         self._supports = Supports(loads, self.particles, kind)
@@ -155,6 +157,8 @@ class Solver(Body):
             self.volume_ratio, points.old.stress, points.viscous_pressure,
             self._forces.on_particles(self.time, self.positions),
         )  # fmt: skip
+        if self._filter is not None:
+            self._filter.apply(background, self.positions, self.material.density, points.reference_volumes)
         self._forces.load_surfaces(background, self.time, self.positions, points.old_deformation_gradient)
         if self._contact is not None:
             self._contact.measure(background, self.positions, points.old_deformation_gradient)
@@ -172,9 +176,11 @@ class Solver(Body):
         )
         push = Push() if self._contact is None else self._contact.meet(background, dt)
         background.reflect(background.grid.after, VELOCITY)
-        second = background.grid.nodes if transfer.keeps_velocity else None
+        second, size = (background.grid.nodes, RECORD) if transfer.keeps_velocity else (None, 0)
+        if self._filter is not None:
+            second, size = self._filter.correction, VELOCITY
         sums = background.give(
-            dt, self.positions, self.velocities, self.affine, second, RECORD, transfer.own, transfer.share,
+            dt, self.positions, self.velocities, self.affine, second, size, transfer.own, transfer.share,
             self.material.density, points.reference_volumes, points.old_deformation_gradient,
             points.deformation_gradient, self._moves, self._new_velocities, self.volume_ratio,
         )  # fmt: skip
@@ -235,7 +241,7 @@ class Solver(Body):
     def _particle_energy(self) -> float:
         """Kinetic energy of the particles as they are, affine part included [J]."""
         squares = (self.velocities**2).sum(axis=1)
-        if self.affine is not None:
+        if self.affine is not None and self.affine.any():
             squares += (self._background.spreads(self.positions)[:, None, :] * self.affine**2).sum(
                 axis=(1, 2)
             )

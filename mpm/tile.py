@@ -13,15 +13,11 @@ from core_models.dispatch import generic
 from mpm.geometries import dimension_of
 from mpm.grid import EDGE, FORCE, RECORD, VELOCITY, node_in
 from mpm.interpolation import half_size, middle, moments, reach, slopes, weights
-from mpm.lanes import add_to, lanes, load, store
+from mpm.lanes import add_to, load, store
 
 WIDEST = EDGE + 3  # nodes along the edge of the largest tile
-WEIGHTS, SLOPES, MOMENTS, OFFSETS = (
-    0,
-    16,
-    32,
-    48,
-)  # first number of each table; four numbers per node along an axis
+# First number of each table of a stencil; four numbers per node along an axis.
+WEIGHTS, SLOPES, MOMENTS, OFFSETS = 0, 16, 32, 48
 
 
 class Scratch(NamedTuple):
@@ -58,13 +54,11 @@ def place_in_tile(shape, corner, i, j, k):
 
 
 @inside_kernel
-def clear_tile(geometry, shape, tile):
-    """Set all records of a tile to 0."""
+def clear_tile(geometry, shape, tile, size):
+    """Set all records of a tile, of `size` numbers each, to 0."""
     edge = edge_of(shape)
-    zero = lanes(0.0, 0.0, 0.0, 0.0)
-    for node in range(edge * edge * depth_of_tile(geometry, shape)):
-        store(tile, RECORD * node, zero)
-        store(tile, RECORD * node + FORCE, zero)
+    for place in range(size * edge * edge * depth_of_tile(geometry, shape)):
+        tile[np.uint64(place)] = 0.0
 
 
 @inside_kernel
@@ -79,6 +73,18 @@ def add_tile(geometry, shape, grid, home, tile):
                 add_to(nodes, target, load(tile, source))
                 add_to(nodes, target + FORCE, load(tile, source + FORCE))
                 source += RECORD
+
+
+@inside_kernel
+def add_velocities(geometry, shape, grid, home, tile, target):
+    """Add a tile of records of four numbers to those of the nodes in a flat array."""
+    edge = edge_of(shape)
+    source = 0
+    for k in range(depth_of_tile(geometry, shape)):
+        for j in range(edge):
+            for i in range(edge):
+                add_to(target, VELOCITY * node_in(geometry, grid, home, i, j, k), load(tile, source))
+                source += VELOCITY
 
 
 @inside_kernel

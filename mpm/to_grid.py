@@ -50,7 +50,7 @@ def to_grid(
     for number in range(offset + first, offset + last):
         home = grid.homes[number]
         corner = block_corner(grid, home)
-        clear_tile(geometry, shape, tile)
+        clear_tile(geometry, shape, tile, RECORD)
         for place in range(order.start[home], order.start[home + 1]):
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)

@@ -24,7 +24,10 @@ def bar_mesh(scene: Scene, resolution: int, kind: str = "quad4") -> Mesh:
     if scene.mesh is not None:
         mesh = own_mesh(scene)
         if mesh.kind != kind:
-            raise SceneError(f"{scene.mesh}: is of {mesh.kind}, not of {kind}; leave the kind out")
+            raise SceneError(
+                f"{scene.mesh}: consists of {mesh.kind} elements, the method's are {kind}; "
+                f"name the kind behind the method (fem-explicit:{mesh.kind}), or mesh with {kind}"
+            )
         return mesh
     bar = scene.bar
     number = check_resolution(scene, resolution, find_kind(kind).dimension)

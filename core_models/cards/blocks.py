@@ -7,7 +7,7 @@ from lxml import etree
 from core_models.cards.origins import XML_BASE, origin, quoted, refusal
 from core_models.errors import UnsupportedError
 from core_models.names import suggestion
-from core_models.schema import UNAVAILABLE_TAGS, Inert, Parameter
+from core_models.schema import SLOTS, UNAVAILABLE_TAGS, Inert, Parameter
 
 
 def check_attributes(element: etree._Element, valid: Collection[str]) -> None:
@@ -73,4 +73,14 @@ def _unknown(element: etree._Element, child: etree._Element, names: Mapping[str,
             f"delete it; {suggestion('', names)}",
             UnsupportedError,
         )
-    return refusal(child, f"unknown tag <{child.tag}> in <{element.tag}>", suggestion(child.tag, names))
+    remedy = "; ".join(filter(None, (_home(child.tag), suggestion(child.tag, names))))
+    return refusal(child, f"unknown tag <{child.tag}> in <{element.tag}>", remedy)
+
+
+def _home(tag: str) -> str:
+    """Where a tag belongs that stands outside its block, as in fragments whose outer tag was lost."""
+    for slot in SLOTS:
+        for model in slot.models:
+            if tag in names_of((*model.parameters, *model.inert)):
+                return f'it belongs into a <{slot.tags[0]} {slot.attribute}="{model.types[0]}">'
+    return ""

@@ -1,9 +1,19 @@
-"""Mean dilatation: the volume ratio is that of the whole element (Q1/P0 for linear quads and hexahedra)."""
+"""Mean dilatation: the volume ratio is that of the whole element (Q1/P0 for linear quads and hexahedra).
+
+Its part of the stiffness is of rank one, so its part of the stable step is known exactly (`fem.stable_step`):
+
+    omega^2 <= K / V sum_a |b_a|^2 / m_a + max_q 2 G min(lambda, 2/3 tr h),   b_a = sum_q w J g_a
+
+with g_a the current gradients of the shape functions; in the axisymmetric body the hoop's share is in b_r.
+"""
 
 from typing import NamedTuple
 
+from core_models.dispatch import generic
+from core_models.geometry import Axisymmetric, PlaneStrain, Spatial
 from fem.cures.projection import PROJECTED, project
-from fem.elements import points_of
+from fem.elements import nodes_of, points_of
+from fem.stable_step import SPREAD, VOLUME, bulk_part, shear_part, square_frequency
 
 
 class MeanDilatation(NamedTuple):
@@ -19,3 +29,52 @@ def _(cure, element, tables, e, scratch, column):
     mean = total / reference
     for q in range(points_of(element)):
         scratch[q, PROJECTED + column] = mean
+
+
+@square_frequency.register(MeanDilatation)
+def _(cure, geometry, element, tables, metric, scratch, e, corner_mass, shear):
+    bulk, deviatoric, volume, mode = 0.0, 0.0, 0.0, 0.0
+    for q in range(points_of(element)):
+        bulk = max(bulk, bulk_part(scratch, q, shear))
+        deviatoric = max(deviatoric, shear_part(scratch, q, shear))
+        volume += scratch[q, VOLUME]
+    for a in range(nodes_of(element)):
+        free = metric.free[tables.nodes[e, a]]
+        mode += square_divergence(geometry, element, tables, scratch, e, a, free) / corner_mass[e, a]
+    return bulk * mode / volume + deviatoric
+
+
+@generic
+def square_divergence(geometry, element, tables, scratch, e, a, free):
+    """|b_a|^2 of corner a [m^4]; free : 0 for a node whose radius is fixed, else 1."""
+
+
+@square_divergence.register(Axisymmetric)
+def _(geometry, element, tables, scratch, e, a, free):
+    r, z = 0.0, 0.0
+    for q in range(points_of(element)):
+        gr, gz, gh = tables.gradients[e, q, a, 0], tables.gradients[e, q, a, 1], tables.gradients[e, q, a, 2]
+        r += scratch[q, SPREAD] * gr + scratch[q, SPREAD + 1] * gz + scratch[q, SPREAD + 4] * gh
+        z += scratch[q, SPREAD + 2] * gr + scratch[q, SPREAD + 3] * gz
+    return free * r * r + z * z
+
+
+@square_divergence.register(PlaneStrain)
+def _(geometry, element, tables, scratch, e, a, free):
+    x, y = 0.0, 0.0
+    for q in range(points_of(element)):
+        gx, gy = tables.gradients[e, q, a, 0], tables.gradients[e, q, a, 1]
+        x += scratch[q, SPREAD] * gx + scratch[q, SPREAD + 1] * gy
+        y += scratch[q, SPREAD + 2] * gx + scratch[q, SPREAD + 3] * gy
+    return x * x + y * y
+
+
+@square_divergence.register(Spatial)
+def _(geometry, element, tables, scratch, e, a, free):
+    x, y, z = 0.0, 0.0, 0.0
+    for q in range(points_of(element)):
+        g0, g1, g2 = tables.gradients[e, q, a, 0], tables.gradients[e, q, a, 1], tables.gradients[e, q, a, 2]
+        x += scratch[q, SPREAD] * g0 + scratch[q, SPREAD + 1] * g1 + scratch[q, SPREAD + 2] * g2
+        y += scratch[q, SPREAD + 3] * g0 + scratch[q, SPREAD + 4] * g1 + scratch[q, SPREAD + 5] * g2
+        z += scratch[q, SPREAD + 6] * g0 + scratch[q, SPREAD + 7] * g1 + scratch[q, SPREAD + 8] * g2
+    return x * x + y * y + z * z

@@ -195,6 +195,19 @@ def test_damage_law_is_read_and_comes_back(read_card, block, law):
     assert parse_material(material_element(material)).material == material
 
 
+# JCDamETPCu.xml and HancockDamETPCu.xml, whose outer tag is commented out
+@pytest.mark.parametrize(
+    ("lost", "home"),
+    [
+        ("<D1>0.54</D1> <D2>4.89</D2>", '<damage_model type="johnson_cook">'),
+        ("<critical_scalar_damage>0.7</critical_scalar_damage>", '<damage_model type="hancock_mackenzie">'),
+    ],
+)
+def test_tag_outside_its_block_is_sent_home(refused, lost, home):
+    """A fragment that lost its outer tag is told which one it is."""
+    assert f"it belongs into a {home}" in refused(CardError, 7, (TOLERANCE, TOLERANCE + lost))
+
+
 def test_damage_that_has_failed_at_the_start_is_refused(refused):
     """The critical value lies above the initial one."""
     block = (

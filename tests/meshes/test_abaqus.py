@@ -6,7 +6,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from core_models.errors import MeshError
-from meshes.abaqus import element_type
+from meshes.abaqus_text import element_type
 from meshes.block import block
 from meshes.io import read_mesh, write_mesh
 
@@ -92,7 +92,8 @@ def test_set_of_all_nodes_is_the_whole_rim_and_one_without_facets_no_boundary(tm
         ("*Surface, name=foot\n 1, SPOS\n", "the face 'SPOS', not one of S1 to S6"),
         ("*Surface, name=foot\n 9, S1\n", "element 9 is used but not given"),
         ("*Surface\n 1, S1\n", "it has no NAME"),
-        ("*Nset, nset=foot\n 10, 99\n", "node 99 of the set 'foot' is not given"),
+        ("*Nset, nset=foot\n 10, 99\n", "the set 'foot' cannot be read (node 99 is used but not given)"),
+        ("*Elset, elset=foot\n 1, 99\n", "the set 'foot' cannot be read (element 99 is used but not given)"),
         ("*Element\n 3, 10, 20, 50\n", "it has no TYPE"),
         ("*Nset, nset=foot, generate\n 10\n", "[10] is no range of numbers"),
         ("*Nset, nset=foot, generate\n 10, 1000000000000\n", "is no range of numbers"),

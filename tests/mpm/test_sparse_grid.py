@@ -1,10 +1,10 @@
-"""The grid: only nodes near particles are touched, it grows with the body, and particles cannot get lost."""
+"""The grid: only blocks near particles have storage, it follows the body, and particles cannot get lost."""
 
 import numpy as np
 import pytest
 
 from core_models.bulk_viscosity import BulkViscosity
-from core_models.errors import RunFailure
+from core_models.errors import RunFailure, SceneError
 
 CELL = 0.4e-3
 
@@ -12,56 +12,62 @@ CELL = 0.4e-3
 @pytest.fixture
 def taylor(build, bar, j2):
     """A coarse Taylor bar."""
-    return lambda: build("mpm", bar(3, 9), j2, velocity=-227.0, viscosity=BulkViscosity())
+    return lambda: build("mpm", bar(3, 9), j2, velocity=-227.0, viscosity=BulkViscosity(), wall="unilateral")
 
 
-def near_particles(solver):
-    """Nodes of the smallest row-by-row intervals that hold all nodes within reach of a particle."""
-    near = np.zeros(solver._grid.sums.shape[:2], dtype=bool)
-    columns = np.floor(solver.positions[:, 0] / CELL).astype(int)
-    rows = np.floor(solver.positions[:, 1] / CELL).astype(int) + 1
-    for row in range(len(near)):
-        reached = columns[(rows <= row) & (row <= rows + 2)]
-        if reached.size:
-            near[row, reached.min() : reached.max() + 3] = True
-    return near
+def blocks_of(solver):
+    """Blocks with storage, as (x, y, z) counted from the point where cells begin."""
+    grid = solver._background.grid
+    z, y, x = np.nonzero(grid.table.reshape(grid.shape[::-1]) >= 0)
+    return np.column_stack([x, y, z]) + grid.low
 
 
-def test_only_nodes_near_particles_are_touched(taylor):
-    """What lies elsewhere is neither read (the run stays the same) nor written (it stays what it was)."""
+def test_only_blocks_near_particles_have_storage(body):
+    """Blocks have storage where a particle is at home, or in the next one along an axis, and nowhere else."""
+    solver = body("spatial", counts=(9, 6, 13))
+    solver.advance()
+    first = np.floor(solver.positions / CELL).astype(int) - 1
+    near = {tuple(block + step) for block in first >> 2 for step in np.ndindex(2, 2, 2)}
+    assert {tuple(block) for block in blocks_of(solver)} == near
+    assert solver._background.blocks == len(near)
+
+
+def test_what_lies_elsewhere_does_not_matter(taylor):
+    """Storage that no block uses is neither read nor written."""
     clean, strewn = taylor(), taylor()
     for _ in range(30):
-        far = ~near_particles(strewn)
-        for array in (strewn._grid.sums, strewn._grid.before, strewn._grid.after):
-            array[far] = np.nan
         clean.advance()
         strewn.advance()
-        assert far.sum() > 10
-        for array in (strewn._grid.sums, strewn._grid.before, strewn._grid.after):
-            assert np.isnan(array[far]).all()
+        background = strewn._background
+        used = 16 * background.blocks
+        background.grid.nodes[8 * used :] = np.nan
+        background.grid.after[4 * used :] = np.nan
+    assert np.isnan(background.grid.nodes[8 * used :]).sum() > 10
     assert np.array_equal(clean.positions, strewn.positions)
-    assert np.array_equal(clean.points.old.stress, strewn.points.old.stress)
     assert clean.ledger == strewn.ledger
 
 
-def test_the_grid_grows_when_particles_reach_its_end(build, bar, elastic):
+def test_the_grid_follows_a_body_that_flies_away(build, bar, elastic):
     """A bar that flies far beyond the first grid goes on as if there were no grid."""
     solver = build("mpm", bar(2, 3, gap=1.0), elastic, velocity=800.0)
-    start, rows = solver.positions.copy(), len(solver._grid.first)
-    while solver.positions[:, 1].max() < 4.0 * start[:, 1].max():
+    start, low = solver.positions.copy(), solver._background.grid.low.copy()
+    while solver.positions[:, 1].max() < 6.0 * start[:, 1].max():
         solver.advance()
-    assert len(solver._grid.first) > rows
+    assert solver._background.grid.low[1] > low[1]
     assert np.allclose(solver.positions, start + [0.0, 800.0 * solver.time], rtol=1e-9)
-    assert solver.momentum[-1] == pytest.approx(solver.initial_momentum[-1], rel=1e-12)
+    assert solver.momentum[1] == pytest.approx(solver.initial_momentum[1], rel=1e-12)
 
 
-def test_a_new_grid_may_be_narrower_than_the_old_one(build, bar, elastic):
-    """A body that has become thinner when it outgrows its grid in height goes on."""
-    solver = build("mpm", bar(6, 3, gap=1.0), elastic)
-    columns = len(solver._held)
-    solver.positions *= [0.8, 4.0]
-    solver.advance()
-    assert len(solver._held) < columns
+def test_where_the_grid_begins_makes_no_difference(body):
+    """A grid that has been laid anew gives bitwise the same run."""
+    moved, still = (body(velocity=lambda x: 30.0 * np.sin(1e4 * x)) for _ in range(2))
+    for _ in range(10):
+        moved.advance()
+        still.advance()
+        moved._background.surround(moved.positions + [[5.0 * CELL, -3.0 * CELL]])
+        moved._background.surround(np.concatenate([moved.positions, moved.positions + 20.0 * CELL]))
+        moved._background.surround(moved.positions)
+    assert np.array_equal(moved.positions, still.positions)
 
 
 @pytest.mark.parametrize("place", [(-1e-3, 1e-3), (1e-3, -3.0 * CELL), (np.nan, 1e-3), (1e-3, np.inf)])
@@ -73,3 +79,9 @@ def test_a_particle_that_leaves_the_domain_ends_the_run(taylor, place):
     with pytest.raises(RunFailure, match=r"step 2, t = .* s, point 5 .* has left the domain") as failure:
         solver.advance()
     assert "\n" not in str(failure.value)
+
+
+def test_a_grid_that_no_memory_would_hold_is_refused(bar, build, elastic):
+    """Cells far too small are refused with the number of nodes they would need."""
+    with pytest.raises(SceneError, match="too large: give larger cells"):
+        build("mpm", bar(2, 3), elastic, cell_size=1e-9)

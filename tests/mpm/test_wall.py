@@ -46,7 +46,7 @@ def test_the_wall_is_felt_when_the_surface_touches_it(build, bar, j2, wall, gap,
     mesh = bar(4, 8, gap=gap)
     solver = build("mpm", mesh, j2, velocity=-SPEED, wall=wall, seeding=seeding)
     while solver.wall_impulse == 0.0:
-        assert solver.momentum[-1] == pytest.approx(solver.initial_momentum[-1], rel=1e-12)
+        assert solver.momentum[1] == pytest.approx(solver.initial_momentum[1], rel=1e-12)
         assert np.abs(solver.points.fields()["stress"].array).max() < 1e-6 * j2.flow.yield_stress
         assert not solver.in_contact
         before = solver.time
@@ -63,8 +63,8 @@ def test_balances_close_in_a_taylor_impact(taylor, wall, transfer):
     masses = set()
     for solver in taylor(wall, transfer=transfer):
         masses.add(solver.mass)
-        change = solver.momentum[-1] - solver.initial_momentum[-1]
-        assert abs(change - solver.wall_impulse) < 1e-12 * abs(solver.initial_momentum[-1])
+        change = (solver.momentum - solver.initial_momentum)[1]
+        assert abs(change - solver.wall_impulse) < 1e-12 * abs(solver.initial_momentum[1])
         assert abs(solver.ledger.relative_error) < 2e-2
     assert abs(solver.ledger.relative_error) < 1e-2
     assert len(masses) == 1
@@ -98,7 +98,7 @@ def test_an_elastic_rod_bounces_off_a_unilateral_wall(rod):
         solver.advance()
         last_contact = solver.time if solver.in_contact else last_contact
     assert last_contact == pytest.approx(2.0 * travel, rel=0.1)
-    assert solver.momentum[-1] > -0.85 * solver.initial_momentum[-1]
+    assert solver.momentum[1] > -0.85 * solver.initial_momentum[1]
     assert solver.outline()["foot"][:, 1].min() > 0.0
 
 

@@ -7,6 +7,7 @@ import pytest
 from core_models.errors import MeshError, SceneError
 from meshes.io import write_mesh
 from meshes.taylor_bar import taylor_bar
+from studies.bar_mesh import bar_mesh
 from studies.methods import check_run, resolutions_of
 from studies.running import run
 from studies.scene_reader import read_scene
@@ -34,6 +35,15 @@ def test_a_mesh_that_is_not_the_bar_is_refused(classic, tmp_path, change, told):
     """Another size than the cylinder's, or a place behind the wall, is an error with a remedy."""
     with pytest.raises(MeshError, match=told):
         resolutions_of(with_mesh(classic, tmp_path, **change), "mpm")
+
+
+def test_an_own_mesh_of_another_kind_needs_its_name(classic, tmp_path):
+    """A mesh of triangles is the bar of the method's variant of that name, and of no other."""
+    write_mesh(tmp_path / "bar.inp", taylor_bar(3.2e-3, 32.4e-3, 4, kind="tri3", structured=False))
+    scene = replace(classic, mesh=tmp_path / "bar.inp", resolutions={})
+    assert bar_mesh(scene, 4, "tri3").kind == "tri3"
+    with pytest.raises(SceneError, match="fem-explicit:tri3"):
+        bar_mesh(scene, 4)
 
 
 def test_a_run_keeps_the_mesh_beside_its_scene(fake_solvers, classic, tmp_path):
