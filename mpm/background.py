@@ -8,7 +8,7 @@ from core_models.compilation import CHUNK
 from core_models.geometry import Geometry
 from core_models.threads import Threads
 from mpm.anchors import Anchors
-from mpm.grid import RECORD, block_nodes, clear, make_grid, with_storage
+from mpm.grid import FORCE, RECORD, VELOCITY, block_nodes, clear, make_grid, with_storage
 from mpm.interpolation import layers
 from mpm.interpolation.catalogue import Interpolation
 from mpm.mirrors import Mirror, fold, reflect
@@ -129,10 +129,16 @@ class Background:
         self.threads.run(measure_spreads, chunks, self.geometry, self.shape, self.grid, positions, spreads)
         return spreads
 
+    def power(self) -> float:
+        """Power of the forces on the nodes, as they move after them [W]."""
+        nodes = self.blocks * block_nodes(self.geometry)
+        forces = self.grid.nodes.reshape(-1, RECORD)[:nodes, FORCE : FORCE + 3]
+        return float((forces * self.grid.after.reshape(-1, VELOCITY)[:nodes, :3]).sum())
+
     def give(self, dt: float, *particles) -> np.ndarray:
         """Bring deformation and velocity back; see `to_particles`, from `positions` on. Returns its sums."""
         self.threads.run_with(
             to_particles, len(self.sums), self._scratch, self.geometry, self.shape, self.grid, self.order, dt,
             *particles, self.sums,
         )  # fmt: skip
-        return self.sums
+        return self.sums.copy()
