@@ -12,20 +12,10 @@ from core_models.compilation import kernel
 from core_models.errors import SceneError
 from core_models.names import suggestion
 from mpm.background import Background
-from mpm.geometries import depth_of, stand, vector
+from mpm.exchange import give_momentum
+from mpm.geometries import stand, vector
 from mpm.grid import MASS, RECORD, VELOCITY, block_corner, block_nodes, clear
-from mpm.interpolation import reach
-from mpm.lanes import add_to, fused
-from mpm.tile import (
-    OFFSETS,
-    WEIGHTS,
-    add_velocities,
-    clear_tile,
-    edge_of,
-    place_in_tile,
-    put_offsets,
-    put_stencil,
-)
+from mpm.tile import add_velocities, clear_tile, place_in_tile
 from mpm.to_grid import momentum_slope
 
 USL, MUSL = "usl", "musl"
@@ -45,7 +35,6 @@ def remap(
 ):  # fmt: skip
     """Add the particles' momenta to flat records of four numbers; the rest as in `to_grid`."""
     tile, stencil = scratch.tile, scratch.stencil
-    edge, nodes = edge_of(shape), reach(shape)
     for number in range(offset + first, offset + last):
         home = grid.homes[number]
         corner = block_corner(grid, home)
@@ -54,24 +43,14 @@ def remap(
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
             start = place_in_tile(shape, corner, i, j, k)
-            put_stencil(stencil, geometry, shape, p, t, grid.over_h)
-            put_offsets(stencil, shape, t, grid.h)
             mass = density * volumes[p]
             momentum = mass * vector(geometry, velocities, p, 0.0)
             spin_x = momentum_slope(affine, geometry, p, 0, mass)
             spin_y = momentum_slope(affine, geometry, p, 1, mass)
             spin_z = momentum_slope(affine, geometry, p, 2, mass)
-            for c in range(depth_of(geometry, shape)):
-                at_z = fused(stencil[OFFSETS + 4 * c + 2], spin_z, momentum)
-                for b in range(nodes):
-                    weight = stencil[WEIGHTS + 4 * b + 1] * stencil[WEIGHTS + 4 * c + 2]
-                    moved = weight * fused(stencil[OFFSETS + 4 * b + 1], spin_y, at_z)
-                    turned = weight * spin_x
-                    row = VELOCITY * (start + edge * (b + edge * c))
-                    for a in range(nodes):
-                        n = stencil[WEIGHTS + 4 * a]
-                        part = fused(n, moved, n * stencil[OFFSETS + 4 * a] * turned)
-                        add_to(tile, row + VELOCITY * a, part)
+            give_momentum(
+                shape, geometry, grid, stencil, tile, start, p, t, momentum, spin_x, spin_y, spin_z
+            )  # fmt: skip
         add_velocities(geometry, shape, grid, home, tile, momenta)
 
 

@@ -276,9 +276,8 @@ class Solver(Body):
         """Kinetic energy of the particles as they are, affine part included [J]."""
         squares = (self.velocities**2).sum(axis=1)
         if self.affine is not None and self.affine.any():
-            squares += (self._background.spreads(self.positions)[:, None, :] * self.affine**2).sum(
-                axis=(1, 2)
-            )
+            carried = self._background.carried(self.positions, self.affine)
+            squares += (carried * self.affine).sum(axis=(1, 2))
         return 0.5 * float((self.particle_mass * squares).sum())
 
     def kinetic_energy(self) -> float:
@@ -293,7 +292,7 @@ class Solver(Body):
         x, v = self.positions, self.velocities
         spin = np.einsum("nj,ni->nij", x, v)
         if self.affine is not None:
-            spin += self._background.spreads(x)[:, None, :] * self.affine
+            spin += self._background.carried(x, self.affine)
         spin = (self.particle_mass[:, None, None] * spin).sum(axis=0)
         whole = spin - spin.T
         return float(whole[1, 0]) if len(whole) == 2 else np.array([whole[2, 1], whole[0, 2], whole[1, 0]])
