@@ -42,7 +42,7 @@ class History(NamedTuple):
     @property
     def pressure(self) -> np.ndarray:
         """-(s11 + s22 + s33) / 3 (k,) [Pa], positive in compression."""
-        return -self.stress[:, :3].mean(axis=1)
+        return 0.0 - self.stress[:, :3].mean(axis=1)
 
     @property
     def mises(self) -> np.ndarray:

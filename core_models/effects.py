@@ -2,6 +2,9 @@
 
 from typing import NamedTuple
 
+from core_models.laws import under_pressure
+from core_models.melting.constant import ConstantMelting
+
 NOT_OFFERED = "the card gives none, and none is offered yet"
 
 
@@ -29,6 +32,7 @@ def material_effects(m) -> list[Effect]:
         ),
         Effect("plastic heating", m.heating is not None, _heating_reason(m)),
         _effect("thermal softening", softening, "the flow law does not depend on the temperature"),
+        *_under_pressure(m),
         _effect("melting", m.melting, "the card gives no melt_temp"),
         _effect("damage", m.damage, "the card has no damage model"),
         _effect(
@@ -41,6 +45,19 @@ def material_effects(m) -> list[Effect]:
 def _effect(name: str, law: tuple | None, absent: str) -> Effect:
     reason = absent if law is None else f"the card asks for it ({type(law).__name__})"
     return Effect(name, law is not None, reason)
+
+
+def _under_pressure(m) -> list[Effect]:
+    """What laws that know of density and pressure do not get from the updates; nothing for other laws."""
+    laws = {
+        "strength under pressure": m.flow if type(m.flow) in under_pressure.implementations else None,
+        "melting under pressure": None if isinstance(m.melting, ConstantMelting) else m.melting,
+    }
+    return [
+        Effect(name, False, f"no update hands density and pressure to {type(law).__name__} yet: as at rest")
+        for name, law in laws.items()
+        if law is not None
+    ]
 
 
 def _heating_reason(m) -> str:

@@ -113,8 +113,9 @@ def _check(strain: float, rates: Sequence[float], steps: int, cycles: int) -> No
     if not is_number(strain) or strain == 0.0:
         raise SceneError(f"a strain to go to must be a number other than 0, not {strain!r}")
     if not rates or not all(is_number(rate) and rate > 0.0 for rate in rates):
+        told = ", ".join(str(rate) for rate in rates) or "none"
         raise SceneError(
-            f"strain rates must be positive, not {rates!r} /s; the strain's sign tells the direction"
+            f"strain rates must be positive, not {told} /s; the strain's sign tells the direction"
         )
     if not is_count(steps, 1):
         raise SceneError(f"a path takes a whole number of steps, 1 or more, not {steps!r}")

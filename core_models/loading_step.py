@@ -71,7 +71,8 @@ class SegmentLoading:
         self._is_stress = np.array([c.is_stress for c in self._sought], dtype=bool)
         stiffness = points.material.density * float(points.wave_speed[0]) ** 2
         self._scale = np.where(self._is_stress, stiffness, 1.0)
-        self._stress_tolerance = max(STRESS_TOLERANCE, 10.0 * points.material.update.tolerance)
+        of_return = getattr(points.material.update, "tolerance", 0.0)  # an update without plasticity has none
+        self._stress_tolerance = max(STRESS_TOLERANCE, 10.0 * of_return)
         self._last_rate = np.zeros((3, 3))
 
     def advance(self, begin: float, end: float, cuts: int = 0) -> np.ndarray:
@@ -93,15 +94,18 @@ class SegmentLoading:
         span = Span(begin / steps * duration, end / steps * duration, duration)
         dt = (end - begin) * (duration / steps)
         before = self._points.old_deformation_gradient[0].copy()
-        deformation = self._found(span, dt, before)
+        try:
+            deformation = self._found(span, dt, before, before + self._last_rate * dt)
+        except (PointFailure, UnmetControls):
+            deformation = self._found(span, dt, before, before)
         self._points.deformation_gradient[:] = deformation
         work = self._points.advance(dt)
         self._points.accept()
         self._last_rate = (deformation - before) / dt
         return np.array([work.stress, work.plastic])
 
-    def _found(self, span: Span, dt: float, before: np.ndarray) -> np.ndarray:
-        deformation = before + self._last_rate * dt
+    def _found(self, span: Span, dt: float, before: np.ndarray, guess: np.ndarray) -> np.ndarray:
+        deformation = guess.copy()
         for c in self._given:
             deformation[c.i, c.j] = c.goal(span)
         if not self._sought:

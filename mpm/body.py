@@ -102,7 +102,9 @@ class Body:
     def boundary_points(self, name: str) -> tuple[np.ndarray, np.ndarray]:
         """Reference and current positions (k, d) [m] of the same corners."""
         undeformed = np.broadcast_to(np.eye(3), (self.points.n, 3, 3))
-        return self.boundary.corners(name, self.reference_positions, undeformed), self.boundary_positions(name)
+        return self.boundary.corners(name, self.reference_positions, undeformed), self.boundary_positions(
+            name
+        )
 
     def _displace(self, displacement: Any) -> None:
         """Move the particles to X + u(X) and give them the state of that deformation."""

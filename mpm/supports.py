@@ -26,11 +26,14 @@ ROUND_OFF = 1e-13  # of the largest velocity: changes smaller than that are none
 
 
 class Hold(NamedTuple):
-    """What supports did in a step: their work and the kinetic energy that it added to the grid [J]; their impulses (d,)
-    by boundary [N s].
+    """What supports did in a step [J].
+
+    work : impulses times prescribed velocities. lost : where the body starts with other velocities.
+    energy : that was added to the kinetic energy of the grid. impulses : (d,) [N s] by boundary.
     """
 
     work: float
+    lost: float
     energy: float
     impulses: dict[str, np.ndarray]
 
@@ -60,11 +63,15 @@ class Supports:
         time: float,
         positions: np.ndarray,
         deformation_gradient: np.ndarray,
+        starting: bool,
     ) -> Hold:
-        """Change the velocities after the forces so that they are those prescribed at a time [s]."""
+        """Change the velocities after the forces so that they are those prescribed at a time [s].
+
+        starting : whether this is the body's first step.
+        """
         total = {name: np.zeros(self._dimension) for name in self.names}
         places = {name: s.points(positions, deformation_gradient) for name, s in self._surfaces.items()}
-        work, energy = 0.0, 0.0
+        work, lost, energy = 0.0, 0.0, 0.0
         for axis, loads in enumerate(self._by_axis):
             if not loads:
                 continue
@@ -80,12 +87,13 @@ class Supports:
             impulses = solve(anchors, axis, wanted - found, ROUND_OFF * scale)
             anchors.push(axis, impulses)
             reached = anchors.after(axis)
-            work += 0.5 * float((impulses * (anchors.before(axis) + reached)).sum())
+            work += float((impulses * reached).sum())
+            lost += anchors.jump(axis) if starting else 0.0
             energy += 0.5 * float((impulses * (found + reached)).sum())
             cuts = np.cumsum([len(places[load.boundary]) for load in loads])[:-1]
             for load, part in zip(loads, np.split(impulses, cuts), strict=True):
                 total[load.boundary][axis] += part.sum()
-        return Hold(work, energy, total)
+        return Hold(work, lost, energy, total)
 
 
 def solve(anchors: Anchors, axis: int, wanted: np.ndarray, smallest: float) -> np.ndarray:

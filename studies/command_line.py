@@ -15,6 +15,7 @@ VERBS = {
     "check": "read a scene, say what would be simulated, run nothing",
     "scenes": "list the shipped scenes",
     "models": "list the material laws, or explain one",
+    "drive": "try a material law: one point along a path of strains and stresses",
     "bench": "measure the speed of this machine",
     "study": "run a study of many problems and write its report: verification",
 }
@@ -22,6 +23,7 @@ EXAMPLES = """examples:
   matpoint compare taylor-copper-jc --out results/copper
   matpoint run taylor-classic --method mpm --resolution 16 --wall plane
   matpoint models johnson_cook
+  matpoint drive taylor-copper-jc --to 0.3 --rate 1000
 """
 BAD_INPUT, INTERRUPTED = 2, 130
 

@@ -1,6 +1,7 @@
 """Options that several commands share, and a parser whose errors are one line with the nearest valid name."""
 
 import argparse
+import math
 import re
 from typing import NoReturn
 
@@ -10,6 +11,8 @@ class Parser(argparse.ArgumentParser):
 
     def __init__(self, **settings) -> None:
         super().__init__(allow_abbrev=False, **settings)
+        # argparse takes -0.3 for a number, but -3e-1 for an option
+        self._negative_number_matcher = re.compile(r"-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
 
     @property
     def option_names(self) -> list[str]:
@@ -47,6 +50,29 @@ def positive(text: str) -> int:
     return int(text)
 
 
+def whole(text: str) -> int:
+    """A whole number of at least 0."""
+    if not re.fullmatch("[0-9]{1,9}", text):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number of 0 or more")
+    return int(text)
+
+
+def number(text: str) -> float:
+    """A finite number."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number like 0.3 or 1e3")
+    return value
+
+
+def numbers(text: str) -> tuple[float, ...]:
+    """Numbers separated by commas."""
+    return tuple(number(word) for word in text.split(","))
+
+
 def names(text: str) -> tuple[str, ...]:
     """Names separated by commas."""
     return tuple(word.strip() for word in text.split(","))
@@ -56,6 +82,23 @@ def add_scene_options(parser: argparse.ArgumentParser) -> None:
     """The scene and where its includes and laws are found."""
     parser.add_argument(
         "scene", metavar="SCENE", help="a shipped scene's name (matpoint scenes) or an XML file"
+    )
+    parser.add_argument(
+        "--search-root",
+        metavar="DIR",
+        action="append",
+        default=[],
+        help="folder in which includes are looked for",
+    )
+    parser.add_argument("--laws", metavar="FILE", help="Python file with laws of your own")
+
+
+def add_material_options(parser: argparse.ArgumentParser) -> None:
+    """The material and where its includes and laws are found."""
+    parser.add_argument(
+        "material",
+        metavar="MATERIAL",
+        help="a shipped material's or scene's name, or the XML file of a card or a scene",
     )
     parser.add_argument(
         "--search-root",

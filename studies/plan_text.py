@@ -5,12 +5,15 @@ from math import sqrt
 from core_models.laws import melting_temperature
 from core_models.material import Material
 from core_models.walls import check_wall
+from fem.elements import FULL, find_element, points_of
+from meshes.quality import edge_lengths
 from studies.bar_mesh import bar_mesh
 from studies.display import number
 from studies.effects import scene_effects
 from studies.methods import METHODS, planned_runs
 from studies.scene import Scene
 from studies.text_table import aligned
+from studies.variants import read_variant
 
 CRUSHED = {"fem-explicit": (2.5, 18.0), "mpm": (1.0, 1.5)}
 """By how much a run needs more steps than the undeformed bar: elements are crushed thin, a grid's cells are not."""
@@ -70,25 +73,21 @@ def _run_rows(
 ) -> list[list[str]]:
     rows = [["run", "points", "smallest edge mm", "steps to the latest end, some"]]
     for method, resolution in planned_runs(scene, methods, resolutions):
-        mesh = bar_mesh(scene, resolution)
-        edge = scene.bar.radius / resolution if method == "mpm" else _smallest_edge(mesh)
-        steps = scene.end.limit(wall) * _wave_speed(scene) / (COURANT[method] * edge)
-        low, high = (_rough(factor * steps) for factor in CRUSHED[method])
-        rows.append(
-            [f"{method} {resolution}", str(4 * len(mesh.cells)), number(edge * 1e3, 3), f"{low} to {high}"]
-        )
+        variant = read_variant(method)
+        mesh = bar_mesh(scene, resolution, variant.kind)
+        is_grid = variant.solver == "mpm"
+        edge = scene.bar.radius / resolution if is_grid else float(edge_lengths(mesh).min())
+        steps = scene.end.limit(wall) * _wave_speed(scene) / (COURANT[variant.solver] * edge)
+        low, high = (_rough(factor * steps) for factor in CRUSHED[variant.solver])
+        element = find_element(mesh.kind, variant.options.get("integration", FULL))
+        points = len(mesh.cells) * points_of(element)
+        rows.append([f"{method} {resolution}", str(points), number(edge * 1e3, 3), f"{low} to {high}"])
     return rows
 
 
 def _rough(count: float) -> int:
     """Two significant digits are all that an estimate can say."""
     return int(float(f"{count:.1e}"))
-
-
-def _smallest_edge(mesh) -> float:
-    corners = mesh.points[mesh.cells]
-    edges = corners - corners[:, [1, 2, 3, 0]]
-    return float(sqrt((edges**2).sum(axis=2).min()))
 
 
 def _wave_speed(scene: Scene) -> float:

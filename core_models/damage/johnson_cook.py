@@ -31,6 +31,15 @@ class JohnsonCookDamage(NamedTuple):
 
     uses_temperature = True
 
+    def caution(self) -> str:
+        """What a user of these numbers should know; empty if nothing."""
+        if self.D1 + self.D2 * exponential(self.D3 * LARGEST_TRIAXIALITY) < 0.0:
+            return (
+                f"the failure strain turns negative below a triaxiality of {LARGEST_TRIAXIALITY:g}: "
+                f"there it is {SMALLEST_FAILURE_STRAIN:g}"
+            )
+        return ""
+
 
 SMALLEST_FAILURE_STRAIN = 1e-3
 LARGEST_TRIAXIALITY = 1.5

@@ -8,7 +8,8 @@ from core_models.elementary import exponential, logarithm
 LOWEST_RATE = 1e-10  # 1/s; below it the stress is some 1e-6 Pa and a straight line
 LOWEST_TEMPERATURE = 1.0  # K
 SMALLEST = 1e-12  # keeps a division from failing whose result is not used
-STEPS = 8  # to round-off: the error of S is at most 1 at the start
+STEPS = 8  # to round-off at the worst; the error of S is at most 1 at the start
+CLOSE = 1e-8  # relative, of the last step: the next would be its square
 
 
 @inside_kernel
@@ -35,7 +36,9 @@ def kink_pair_stress(flow, plastic_rate, temperature):
         b = 1.0 - kinks - tangent * x
         root = math.sqrt(b * b + 4.0 * tangent * rate * drag)
         root = 2.0 * rate * drag / (b + root) if b > 0.0 else (root - b) / max(2.0 * tangent, SMALLEST)
-        x = min(root, 1.0)
+        before, x = x, min(root, 1.0)
+        if x - before <= CLOSE * x:
+            break
     is_free = rate / flow.C1 + rate * drag < 1.0
     x = x if is_free else 1.0
     kinks = rate / flow.C1 * exponential(a * (1.0 - x) * (1.0 - x))

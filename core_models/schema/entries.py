@@ -83,7 +83,8 @@ class ModelSchema:
     """One law: the type names that select it (the first is the one written), its class and its tags.
 
     `ascending` names pairs of tags of which the first must be smaller than the second. What else the numbers must
-    fulfil together the law itself says, by a method `fault()` that returns a sentence, empty for good numbers.
+    fulfil together the law itself says, by a method `fault()` that returns a sentence, empty for good numbers;
+    what is allowed and should be known, by `caution()`.
     """
 
     types: tuple[str, ...]

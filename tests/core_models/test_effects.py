@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 
+from core_models.cards import read_material, shipped_materials
 from core_models.specific_heat.constant import ConstantSpecificHeat
 
 
@@ -38,3 +39,13 @@ def test_effects_that_no_card_can_ask_for_are_listed_as_off(copper, name):
     """The list is whole: it also has what is not offered yet."""
     effect = next(effect for effect in copper("hypo", "jc").effects() if effect.name == name)
     assert not effect.on and "none is offered yet" in effect.reason
+
+
+def test_laws_that_know_of_pressure_say_that_they_do_not_get_it():
+    """Strength and melting of Steinberg's copper are those at rest; other cards do not speak of it."""
+    name = "copper_ofhc_steinberg_cochran_guinan"
+    effects = {effect.name: effect for effect in read_material(shipped_materials()[name]).material.effects()}
+    for name in ("strength under pressure", "melting under pressure"):
+        assert not effects[name].on and "as at rest" in effects[name].reason
+    plain = read_material(shipped_materials()["copper_ofhc_johnson_cook"]).material.effects()
+    assert not [effect for effect in plain if "under pressure" in effect.name]

@@ -97,6 +97,15 @@ def test_initial_strength(name, strength):
     )
 
 
+def test_negative_failure_strain_is_told(caplog):
+    """6061-T6 aluminium, above a triaxiality of 1.347, and no other of the metals."""
+    for name in NAMES:
+        material(name)
+    assert [record.levelname for record in caplog.records] == ["WARNING"]
+    assert "aluminium_6061_t6_johnson_cook.xml" in caplog.text
+    assert "the failure strain turns negative" in caplog.text
+
+
 def test_weldox_is_isothermal():
     """Without a specific heat nothing is heated, and the idle softening stays idle."""
     assert material("steel_weldox_460e_johnson_cook").heating is None

@@ -105,7 +105,8 @@ def run(quick: bool) -> Outcome:
     for key, variant in jobs.items():
         done, refused = attempt([variant], lambda variant, at=key: cost(variant, at[1], at[2]))
         outcome.remarks += [f"{each.variant.label}, {key[1]} cells: {each.reason}" for each in refused]
-        costs |= {key: found for found in done.values()}
+        if done:
+            costs[key] = done[variant.label]
     outcome.criteria = _criteria(costs, sides)
     rows = tuple(_row(*key, found) for key, found in costs.items())
     head = ("variant", "threads", "points", "ns per point", "µs per cell", "bytes per point")
