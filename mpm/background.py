@@ -8,11 +8,11 @@ from core_models.compilation import CHUNK
 from core_models.geometry import Geometry
 from core_models.threads import Threads
 from mpm.anchors import Anchors
-from mpm.grid import MASS, RECORD, VELOCITY, block_nodes, clear, make_grid, with_storage
+from mpm.grid import FORCE, MASS, RECORD, VELOCITY, block_nodes, clear, make_grid, with_storage
 from mpm.interpolation import layers
 from mpm.interpolation.catalogue import Interpolation
 from mpm.mirrors import Mirror, fold, reflect
-from mpm.motion import accelerate, measure_spreads, settle
+from mpm.motion import accelerate, carry_affine, settle
 from mpm.order import MOVED, lay_out, locate_particles, make_order, sort_particles
 from mpm.tile import make_scratch
 from mpm.to_grid import to_grid
@@ -150,12 +150,20 @@ class Background:
         """Points (k, d) [m] of the surface, held in the grid that has been filled."""
         return Anchors(self.geometry, self.shape, self.grid, self._pairs, points)
 
-    def spreads(self, positions: np.ndarray) -> np.ndarray:
-        """Second moments of the weights along the axes (n, d) [m^2] at the particles: D of the affine velocity."""
-        spreads = np.empty_like(positions)
+    def carried(self, positions: np.ndarray, affine: np.ndarray) -> np.ndarray:
+        """Affine velocities C (n, d, d) [1/s] times the second moments D of the particles' weights [m^2/s]."""
+        carried = np.empty_like(affine)
         chunks = -(-len(positions) // CHUNK)
-        self.threads.run(measure_spreads, chunks, self.geometry, self.shape, self.grid, positions, spreads)
-        return spreads
+        self.threads.run(
+            carry_affine, chunks, self.geometry, self.shape, self.grid, positions, affine, carried
+        )
+        return carried
+
+    def power(self) -> float:
+        """Power of the forces on the nodes, as they move after them [W]."""
+        nodes = self.blocks * block_nodes(self.geometry)
+        forces = self.grid.nodes.reshape(-1, RECORD)[:nodes, FORCE : FORCE + 3]
+        return float((forces * self.grid.after.reshape(-1, VELOCITY)[:nodes, :3]).sum())
 
     def give(self, dt: float, *particles) -> np.ndarray:
         """Bring deformation and velocity back; see `to_particles`, from `positions` on. Returns its sums."""
@@ -163,4 +171,4 @@ class Background:
             to_particles, len(self.sums), self._scratch, self.geometry, self.shape, self.grid, self.order, dt,
             *particles, self.sums,
         )  # fmt: skip
-        return self.sums
+        return self.sums.copy()

@@ -4,7 +4,7 @@ from core_models.compilation import inside_kernel
 from core_models.dispatch import generic
 from core_models.geometry import Axisymmetric, PlaneStrain, Spatial
 from core_models.tensors import determinant, load_tensor, store_tensor
-from mpm.interpolation import locate, reach
+from mpm.interpolation import locate_particle, reach
 from mpm.lanes import lane, lanes
 
 
@@ -75,19 +75,26 @@ def _(geometry, shape):
     return reach(shape)
 
 
+@inside_kernel
+def along(shape, geometry, grid, positions, p, axis):
+    """First node that particle p reaches along an axis, and its local coordinate."""
+    x = (positions[p, axis] - grid.base[axis]) * grid.over_h
+    return locate_particle(shape, geometry, p, axis, x, grid.over_h)
+
+
 @stand.register(Axisymmetric)
 @stand.register(PlaneStrain)
 def _(geometry, shape, grid, positions, p):
-    i, x = locate(shape, (positions[p, 0] - grid.base[0]) * grid.over_h)
-    j, y = locate(shape, (positions[p, 1] - grid.base[1]) * grid.over_h)
+    i, x = along(shape, geometry, grid, positions, p, 0)
+    j, y = along(shape, geometry, grid, positions, p, 1)
     return i, j, 0.0, lanes(x, y, 0.0, 0.0)
 
 
 @stand.register(Spatial)
 def _(geometry, shape, grid, positions, p):
-    i, x = locate(shape, (positions[p, 0] - grid.base[0]) * grid.over_h)
-    j, y = locate(shape, (positions[p, 1] - grid.base[1]) * grid.over_h)
-    k, z = locate(shape, (positions[p, 2] - grid.base[2]) * grid.over_h)
+    i, x = along(shape, geometry, grid, positions, p, 0)
+    j, y = along(shape, geometry, grid, positions, p, 1)
+    k, z = along(shape, geometry, grid, positions, p, 2)
     return i, j, k, lanes(x, y, z, 0.0)
 
 

@@ -31,6 +31,7 @@ from mpm.interpolation.catalogue import check_interpolation, make_interpolation
 from mpm.limits import bounds_of, check_size
 from mpm.mirrors import find_mirrors
 from mpm.motion import AFTER, BEFORE, advect
+from mpm.musl import MUSL, USL, Remap, check_update
 from mpm.particles import GAUSS, rim_faces
 from mpm.supports import Hold, Supports
 from mpm.to_particles import ENERGY, SPEED
@@ -51,8 +52,8 @@ class Solver(Body):
     threads : number of threads. conduction : whether heat is conducted (core_models.conduction), else the body is
     adiabatic. interpolation : 'quadratic', 'cubic', 'linear' or 'gimp'.
     transfer : 'apic', 'flip', 'pic' or 'xpic'. flip_fraction : share of FLIP in the blend with PIC.
-    xpic_order : m of XPIC(m). seeding : 'gauss' or 'lattice'. cfl : part of h / (c + |v|) that is taken as step, in
-    (0, 1].
+    xpic_order : m of XPIC(m). update : of the stress, 'usl' (last) or 'musl' (last, modified).
+    seeding : 'gauss' or 'lattice'. cfl : part of h / (c + |v|) that is taken as step, in (0, 1].
 
     `advance` makes one step: particles to grid -> motion of the grid -> wall -> grid to particles -> points.
     Velocities belong to the middle of the last step, positions and stress to its end.
@@ -79,10 +80,12 @@ class Solver(Body):
         transfer: str = "apic",
         flip_fraction: float = 0.99,
         xpic_order: int = 2,
+        update: str = USL,
         seeding: str = GAUSS,
         cfl: float = 0.5,
     ) -> None:
         check_interpolation(interpolation)
+        check_update(update)
         self._transfer = make_transfer(transfer, flip_fraction, xpic_order)
         check_between("cell_size", cell_size, 0.0, math.inf, "m")
         self.cfl = check_between("cfl", cfl, 0.0, 1.0)
@@ -110,6 +113,7 @@ class Solver(Body):
         if wall is not None:
             self._contact = Contact(wall, rim_faces(mesh, kind, seeding, self.particles, mirrored))
         self._filter = Filter(self._transfer.order) if self._transfer.order else None
+        self._remap = Remap(self.positions) if update == MUSL else None
         self._damping = damping_of(loads)
         self._forces = Forces(loads, self.particles, kind, material.density)
         self._supports = Supports(loads, self.particles, kind)
@@ -177,12 +181,7 @@ class Solver(Body):
         kick = 0.5 * (self._last_step + dt)
         keep = math.exp(-kick * at_time(self._damping.rate, self.time)) if self._damping else 1.0
         background.accelerate(kick, keep)
-        hold = self._supports.impose(
-            background, self.time + 0.5 * dt, self.positions, points.old_deformation_gradient,
-            self._last_step == 0.0,
-        )  # fmt: skip
-        push = Push() if self._contact is None else self._contact.meet(background, dt)
-        background.reflect(background.grid.after, VELOCITY)
+        hold, push = self._constrain(dt)
         second, size = (background.grid.nodes, RECORD) if transfer.keeps_velocity else (None, 0)
         if self._filter is not None:
             second, size = self._filter.correction, VELOCITY
@@ -191,9 +190,10 @@ class Solver(Body):
             self.material.density, points.reference_volumes, points.old_deformation_gradient,
             points.deformation_gradient, self._moves, self._new_velocities, self.volume_ratio,
         )  # fmt: skip
-        work = points.advance(dt)
         external = dt * self._forces.power(self._moves)
         damped = background.damped_energy(keep) if self._damping else 0.0
+        lost = 0.0 if self._remap is None else self._deform_again(dt, external)
+        work = points.advance(dt)
         points.accept()
         self._conduct(dt)
         self.threads.run(advect, -(-points.n // CHUNK), dt, self._moves, self.positions)
@@ -201,7 +201,39 @@ class Solver(Body):
         self.velocities, self._new_velocities = self._new_velocities, self.velocities
         if shared:
             self._moves = self._new_velocities
-        self._keep_books(work, external, damped, hold, push, sums, kick)
+        self._keep_books(work, external, damped, lost, hold, push, sums, kick)
+
+    def _constrain(self, dt: float) -> tuple[Hold, Push]:
+        """Change the grid's velocity after the forces to what supports, wall and symmetry planes allow."""
+        background = self._background
+        hold = self._supports.impose(
+            background, self.time + 0.5 * dt, self.positions, self.points.old_deformation_gradient,
+            self._last_step == 0.0,
+        )  # fmt: skip
+        push = Push() if self._contact is None else self._contact.meet(background, dt)
+        background.reflect(background.grid.after, VELOCITY)
+        return hold, push
+
+    def _deform_again(self, dt: float, external: float) -> float:
+        """Deform the particles by their own new velocities instead (mpm.musl); external : work of the loads [J].
+
+        Returns the energy that this has lost [J]: what the grid's motion has put in less what the stress gets.
+        """
+        points, moves = self.points, self._remap.moves
+        given = dt * self._background.power() - external
+        self._remap.apply(
+            self._background, self.positions, self._new_velocities, self.affine, self.material.density,
+            points.reference_volumes,
+        )  # fmt: skip
+        self._constrain(dt)
+        self._background.give(
+            dt, self.positions, self.velocities, None, None, 0, 0.0, 0.0, self.material.density,
+            points.reference_volumes, points.old_deformation_gradient, points.deformation_gradient, moves, moves,
+            self.volume_ratio,
+        )  # fmt: skip
+        taken = dt * (self._background.power() - self._forces.power(moves))
+        # Half of a step's force works on the velocity that it finds, which is that of the particles already.
+        return 0.5 * (taken - given)
 
     def _conduct(self, dt: float) -> None:
         """Conduct heat, if the scene asks for it, on the grid and with the shape that the step began with."""
@@ -220,6 +252,7 @@ class Solver(Body):
         work: Work,
         external: float,
         damped: float,
+        lost: float,
         hold: Hold,
         push: Push,
         sums: np.ndarray,
@@ -229,8 +262,10 @@ class Solver(Body):
         ledger = self.ledger
         on_grid = self._background.energies.sum(axis=0)
         kinetic = float(sums[:, ENERGY].sum())
-        ledger.transfer += (self._kinetic - float(on_grid[BEFORE])) + (
-            float(on_grid[AFTER]) + hold.energy + push.energy - kinetic
+        ledger.transfer += (
+            lost
+            + (self._kinetic - float(on_grid[BEFORE]))
+            + (float(on_grid[AFTER]) + hold.energy + push.energy - kinetic)
         )
         self._kinetic = kinetic
         # Velocities have had the whole step's force but belong to its middle: half a step's work brings both together.
@@ -244,7 +279,7 @@ class Solver(Body):
         ledger.strain += work.stress - work.plastic
         self.wall_impulse += push.impulse
         self.wall_force = push.impulse / kick
-        self._reactions = {name: impulse / kick for name, impulse in self._supports.impulses.items()}
+        self._reactions = {name: impulse / kick for name, impulse in hold.impulses.items()}
         self._fastest = (math.sqrt(float(sums[:, SPEED].max())), work.wave_speed, work.viscous_pressure)
 
     def _stable_step(self, speed: float, wave_speed: float, viscous_pressure: float) -> float:
@@ -271,9 +306,8 @@ class Solver(Body):
         """Kinetic energy of the particles as they are, affine part included [J]."""
         squares = (self.velocities**2).sum(axis=1)
         if self.affine is not None and self.affine.any():
-            squares += (self._background.spreads(self.positions)[:, None, :] * self.affine**2).sum(
-                axis=(1, 2)
-            )
+            carried = self._background.carried(self.positions, self.affine)
+            squares += (carried * self.affine).sum(axis=(1, 2))
         return 0.5 * float((self.particle_mass * squares).sum())
 
     def kinetic_energy(self) -> float:
@@ -288,7 +322,7 @@ class Solver(Body):
         x, v = self.positions, self.velocities
         spin = np.einsum("nj,ni->nij", x, v)
         if self.affine is not None:
-            spin += self._background.spreads(x)[:, None, :] * self.affine
+            spin += self._background.carried(x, self.affine)
         spin = (self.particle_mass[:, None, None] * spin).sum(axis=0)
         whole = spin - spin.T
         return float(whole[1, 0]) if len(whole) == 2 else np.array([whole[2, 1], whole[0, 2], whole[1, 0]])
@@ -300,12 +334,12 @@ class Solver(Body):
         """
         mirrors = self._background.mirrors
         known = [
-            *self._supports.impulses,
+            *self._supports.names,
             *(mirror_name for mirror in mirrors for mirror_name in mirror.names),
         ]
         if name not in known:
             raise SceneError(f"boundary {name!r} exerts no force of its own; {suggestion(name, known)}")
-        if name in self._supports.impulses:
+        if name in self._supports.names:
             return self._reactions.get(name, np.zeros(self.mesh.dimension)).copy()
         return self._background.mirror_force(next(m for m in mirrors if name in m.names))
 

@@ -29,6 +29,16 @@ def locate(shape, x):
 
 
 @generic
+def locate_particle(shape, geometry, p, axis, x, over_h):
+    """`locate` for particle p at x [cells] along an axis."""
+
+
+@locate_particle.otherwise
+def _(shape, geometry, p, axis, x, over_h):
+    return locate(shape, x)
+
+
+@generic
 def half_size(shape, p, over_h):
     """Half the size of particle p along the axes [cells]."""
 
