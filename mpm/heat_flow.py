@@ -7,6 +7,7 @@ flows into it, and the rise of its temperature.
 from core_models.compilation import kernel
 from core_models.dispatch import generic
 from core_models.geometry import Axisymmetric, PlaneStrain, Spatial
+from mpm.exchange import interpolate
 from mpm.geometries import depth_of, put_vector, stand, vector
 from mpm.grid import VELOCITY, block_corner, block_nodes
 from mpm.interpolation import reach
@@ -24,7 +25,6 @@ from mpm.tile import (
     put_offsets,
     put_stencil,
 )
-from mpm.to_particles import interpolate
 
 TEMPERATURE, CAPACITY, FLOW, RISE = 0, 1, 2, 3
 
@@ -172,7 +172,7 @@ def warm_particles(
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
             put_stencil(stencil, geometry, shape, p, t, grid.over_h)
-            found = interpolate(geometry, shape, tile, stencil, place_in_tile(shape, corner, i, j, k))
+            found = interpolate(shape, geometry, stencil, tile, place_in_tile(shape, corner, i, j, k))
             temperature[p] += lane(found, RISE) - decay * (before[p] - lane(found, TEMPERATURE))
 
 
