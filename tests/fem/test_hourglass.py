@@ -53,7 +53,7 @@ def test_the_control_is_as_stiff_as_its_coefficient(one_point):
 def test_the_ledger_closes_with_the_control_at_work(one_point):
     """An element that starts in a mode swings, and its energy stays: kinetic, strain, and that of the control."""
     mode = next(patterns(one_point()))
-    solver = one_point(lambda x: SIZE * mode, safety=0.2)
+    solver = one_point(lambda x: SIZE * mode, hourglass=0.1, safety=0.2)
     held, largest = [], 0.0
     for _ in range(600):
         solver.advance()
