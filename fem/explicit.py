@@ -46,9 +46,10 @@ class ExplicitSolver(Readout):
     temperature : initial [K], None for the material's. loads : of `core_models.loads`.
     wall : None, 'unilateral', 'plane' or a `Wall`. viscosity : BulkViscosity or None. threads : number of threads.
     conduction : whether heat is conducted (core_models.conduction), else the body is adiabatic. integration : 'full' or
-    'reduced' (one point in quad4 and hex8, two along each edge of quad8 and hex20). cure : against locking: None for the element's own, 'none', 'mean-dilatation', 'linear-dilatation'
-    (quadratic quads and hexahedra), 'nodal-average' (tri3, tet4). hourglass : coefficient of the hourglass control of
-    one-point elements, in (0, 1]. safety : part of the estimated stable step that is taken, in (0, 1].
+    'reduced' (one point in quad4 and hex8, two along each edge of quad8 and hex20). cure : against locking: None for
+    the element's own, 'none', 'mean-dilatation', 'linear-dilatation' (quadratic quads and hexahedra), 'nodal-average'
+    (tri3, tet4). hourglass : coefficient of the hourglass control of one-point elements, in (0, 1]. safety : part of
+    the estimated stable step that is taken, in (0, 1].
 
     `advance` makes one step: motion of the nodes -> kinematics -> points -> nodal forces.
     Raises SceneError, MeshError or UnsupportedError for what cannot be.
