@@ -107,7 +107,7 @@ class Anchors:
 
     def jump(self, axis: int) -> float:
         """Kinetic energy of the change of velocity along an axis that these nodes have undergone [J]."""
-        change = self._velocities[self._nodes, axis] - self._records[self._nodes, axis]
+        change = self._velocities[self.nodes, axis] - self._records[self.nodes, axis]
         return 0.5 * float((self._masses * change * change).sum())
 
     def response(self, axis: int, impulses: np.ndarray) -> np.ndarray:
