@@ -99,6 +99,11 @@ class Anchors:
         """The grid's velocity along an axis after the forces at the points (k,) [m/s]."""
         return self._interpolate(axis, self._velocities[self._nodes, axis])
 
+    def jump(self, axis: int) -> float:
+        """Kinetic energy of the change of velocity along an axis that these nodes have undergone [J]."""
+        change = self._velocities[self._nodes, axis] - self._records[self._nodes, axis]
+        return 0.5 * float((self._masses * change * change).sum())
+
     def response(self, axis: int, impulses: np.ndarray) -> np.ndarray:
         """Change of velocity along an axis (k,) [m/s] at the points that impulses there (k,) [N s] would make."""
         return self._interpolate(axis, self._spread(axis, impulses) / self._masses)

@@ -8,7 +8,7 @@ from core_models.compilation import CHUNK
 from core_models.geometry import Geometry
 from core_models.threads import Threads
 from mpm.anchors import Anchors
-from mpm.grid import RECORD, block_nodes, clear, make_grid, with_storage
+from mpm.grid import MASS, RECORD, VELOCITY, block_nodes, clear, make_grid, with_storage
 from mpm.interpolation import layers
 from mpm.interpolation.catalogue import Interpolation
 from mpm.mirrors import Mirror, fold, reflect
@@ -65,7 +65,7 @@ class Background:
             sort_particles(order)
             self.blocks = lay_out(self.geometry, self.grid, order)
             self.grid = with_storage(self.geometry, self.grid, self.blocks)
-            self.energies = np.zeros((self.blocks, 3))
+            self.energies = np.zeros((self.blocks, 2))
             self.sums = np.zeros((int(order.colours[-1]), 2))
         return None
 
@@ -101,9 +101,19 @@ class Background:
         """Add what nodes beyond symmetry planes hold to their mirror images; returns what `mirrors.fold` does."""
         return [fold(self.geometry, self.grid, *pair, records, size) for pair in self._pairs]
 
-    def accelerate(self, dt: float, damping: float) -> None:
-        """Velocities after the forces have acted for dt [s]; nodes beyond symmetry planes wait for `reflect`."""
-        self.threads.run(accelerate, self.blocks, self.geometry, self.grid, dt, damping, self.energies)
+    def accelerate(self, dt: float, keep: float) -> None:
+        """Velocities after the forces have acted for dt [s]; nodes beyond symmetry planes wait for `reflect`.
+
+        keep : part of the velocities before that damping leaves.
+        """
+        self.threads.run(accelerate, self.blocks, self.geometry, self.grid, dt, keep, self.energies)
+
+    def damped_energy(self, keep: float) -> float:
+        """What damping has taken [J]: its impulses times the mean of the velocities before and after all else."""
+        count = self.blocks * block_nodes(self.geometry)
+        records = self.grid.nodes.reshape(-1, RECORD)[:count]
+        before, after = records[:, :MASS], self.grid.after.reshape(-1, VELOCITY)[:count, :MASS]
+        return 0.5 * (1.0 - keep) * float((records[:, MASS, None] * before * (before + after)).sum())
 
     def reflect(self, velocities: np.ndarray, size: int) -> None:
         """Give the nodes beyond symmetry planes the velocities of their mirror images."""

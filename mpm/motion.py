@@ -5,14 +5,14 @@ from mpm.geometries import put_vector, stand
 from mpm.grid import FORCE, MASS, RECORD, VELOCITY, block_nodes
 from mpm.interpolation import half_size, spread
 
-BEFORE, AFTER, DAMPED = 0, 1, 2
+BEFORE, AFTER = 0, 1
 
 
 @kernel
 def settle(first, last, geometry, grid, energies):
     """Turn the momenta of the nodes of blocks first ... last-1 into velocities; 0 where there is no mass.
 
-    energies : (blocks, 3), of which the kinetic energy before the forces [J] is written.
+    energies : (blocks, 2), of which the kinetic energy before the forces [J] is written.
     """
     nodes, count = grid.nodes, block_nodes(geometry)
     for block in range(first, last):
@@ -28,28 +28,24 @@ def settle(first, last, geometry, grid, energies):
 
 
 @kernel
-def accelerate(first, last, geometry, grid, dt, damping, energies):
+def accelerate(first, last, geometry, grid, dt, keep, energies):
     """Velocities of the nodes of blocks first ... last-1 after the forces have acted for dt [s].
 
-    damping : rate of mass-proportional damping [1/s]. energies : (blocks, 3), of which the kinetic energy after the
-    forces and what damping has taken [J] are written.
+    keep : part of the velocities before that damping leaves. energies : (blocks, 2), of which the kinetic energy
+    after the forces [J] is written.
     """
     nodes, after, count = grid.nodes, grid.after, block_nodes(geometry)
-    keep = 1.0 - damping * dt
     for block in range(first, last):
-        energy, damped = 0.0, 0.0
+        energy = 0.0
         for node in range(block * count, (block + 1) * count):
             at, to = RECORD * node, VELOCITY * node
             mass = nodes[at + MASS]
             over = dt / mass if mass > 0.0 else 0.0
             for axis in range(3):
-                before = nodes[at + axis]
-                v = keep * before + over * nodes[at + FORCE + axis]
+                v = keep * nodes[at + axis] + over * nodes[at + FORCE + axis]
                 after[to + axis] = v
                 energy += 0.5 * mass * v * v
-                damped += 0.5 * damping * dt * mass * before * (before + v)
         energies[block, AFTER] = energy
-        energies[block, DAMPED] = damped
 
 
 @kernel

@@ -29,7 +29,7 @@ from mpm.grid import RECORD, VELOCITY
 from mpm.interpolation.catalogue import check_interpolation, make_interpolation
 from mpm.limits import bounds_of, check_size
 from mpm.mirrors import find_mirrors
-from mpm.motion import AFTER, BEFORE, DAMPED, advect
+from mpm.motion import AFTER, BEFORE, advect
 from mpm.particles import GAUSS, rim_faces
 from mpm.supports import Hold, Supports
 from mpm.to_particles import ENERGY, SPEED
@@ -169,11 +169,12 @@ class Solver(Body):
         """Move the grid, the particles and the points by dt; nothing of it lasts unless all of it works."""
         background, points, transfer = self._background, self.points, self._transfer
         kick = 0.5 * (self._last_step + dt)
-        damping = at_time(self._damping.rate, self.time) if self._damping else 0.0
-        background.accelerate(kick, damping)
+        keep = math.exp(-kick * at_time(self._damping.rate, self.time)) if self._damping else 1.0
+        background.accelerate(kick, keep)
         hold = self._supports.impose(
-            background, self.time + 0.5 * dt, self.positions, points.old_deformation_gradient
-        )
+            background, self.time + 0.5 * dt, self.positions, points.old_deformation_gradient,
+            self._last_step == 0.0,
+        )  # fmt: skip
         push = Push() if self._contact is None else self._contact.meet(background, dt)
         background.reflect(background.grid.after, VELOCITY)
         second, size = (background.grid.nodes, RECORD) if transfer.keeps_velocity else (None, 0)
@@ -186,16 +187,24 @@ class Solver(Body):
         )  # fmt: skip
         work = points.advance(dt)
         external = dt * self._forces.power(self._moves)
+        damped = background.damped_energy(keep) if self._damping else 0.0
         points.accept()
         self.threads.run(advect, -(-points.n // CHUNK), dt, self._moves, self.positions)
         shared = self._moves is self._new_velocities
         self.velocities, self._new_velocities = self._new_velocities, self.velocities
         if shared:
             self._moves = self._new_velocities
-        self._keep_books(work, external, hold, push, sums, kick)
+        self._keep_books(work, external, damped, hold, push, sums, kick)
 
     def _keep_books(
-        self, work: Work, external: float, hold: Hold, push: Push, sums: np.ndarray, kick: float
+        self,
+        work: Work,
+        external: float,
+        damped: float,
+        hold: Hold,
+        push: Push,
+        sums: np.ndarray,
+        kick: float,
     ) -> None:
         """Enter a step that worked in the ledger."""
         ledger = self.ledger
@@ -206,11 +215,11 @@ class Solver(Body):
         )
         self._kinetic = kinetic
         # Velocities have had the whole step's force but belong to its middle: half a step's work brings both together.
-        ledger.kinetic = kinetic - 0.5 * (work.stress + work.viscous - external)
+        ledger.kinetic = kinetic - 0.5 * (work.stress + work.viscous - external - hold.work)
         ledger.external += external + hold.work
-        ledger.contact -= push.work
+        ledger.contact += hold.lost - push.work
         ledger.friction -= push.rubbed
-        ledger.damping += float(on_grid[DAMPED])
+        ledger.damping += damped
         ledger.plastic += work.plastic
         ledger.viscosity += work.viscous
         ledger.strain += work.stress - work.plastic

@@ -25,9 +25,14 @@ CLOSE = 1e-8  # of the largest velocity to be corrected
 
 
 class Hold(NamedTuple):
-    """What supports did in a step: their work, and the kinetic energy that it added to the grid [J]."""
+    """What supports did in a step [J].
+
+    work : impulses times prescribed velocities. lost : where the body starts with other velocities.
+    energy : that was added to the kinetic energy of the grid.
+    """
 
     work: float = 0.0
+    lost: float = 0.0
     energy: float = 0.0
 
 
@@ -57,12 +62,16 @@ class Supports:
         time: float,
         positions: np.ndarray,
         deformation_gradient: np.ndarray,
+        starting: bool,
     ) -> Hold:
-        """Change the velocities after the forces so that they are those prescribed at a time [s]."""
+        """Change the velocities after the forces so that they are those prescribed at a time [s].
+
+        starting : whether this is the body's first step.
+        """
         for impulse in self.impulses.values():
             impulse[:] = 0.0
         places = {name: s.points(positions, deformation_gradient) for name, s in self._surfaces.items()}
-        work, energy = 0.0, 0.0
+        work, lost, energy = 0.0, 0.0, 0.0
         for axis, loads in enumerate(self._by_axis):
             if not loads:
                 continue
@@ -77,12 +86,13 @@ class Supports:
             impulses = solve(anchors, axis, wanted - found)
             anchors.push(axis, impulses)
             reached = anchors.after(axis)
-            work += 0.5 * float((impulses * (anchors.before(axis) + reached)).sum())
+            work += float((impulses * reached).sum())
+            lost += anchors.jump(axis) if starting else 0.0
             energy += 0.5 * float((impulses * (found + reached)).sum())
             cuts = np.cumsum([len(places[load.boundary]) for load in loads])[:-1]
             for load, part in zip(loads, np.split(impulses, cuts), strict=True):
                 self.impulses[load.boundary][axis] += part.sum()
-        return Hold(work, energy)
+        return Hold(work, lost, energy)
 
 
 def solve(anchors: Anchors, axis: int, wanted: np.ndarray) -> np.ndarray:

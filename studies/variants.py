@@ -19,7 +19,7 @@ WORDS: dict[str, dict[str, tuple[str, ...]]] = {
     "fem-explicit": {
         KIND: (*PLANAR_KINDS, *SPATIAL_KINDS),
         "integration": ("full", "reduced"),
-        "cure": ("none", "mean-dilatation", "nodal-average"),
+        "cure": ("none", "mean-dilatation", "linear-dilatation", "nodal-average"),
     },
     "mpm": {
         KIND: ("quad4", "hex8"),
