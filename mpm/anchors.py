@@ -11,7 +11,7 @@ from mpm.grid import FORCE, MASS, RECORD, VELOCITY, node_at
 from mpm.interpolation import reach
 from mpm.interpolation.gimp import UniformGimp
 from mpm.interpolation.linear import LinearHat
-from mpm.tile import WEIGHTS, put_stencil
+from mpm.tile import STENCIL, WEIGHTS, put_stencil
 
 
 def point_shape(shape):
@@ -63,7 +63,7 @@ class Anchors:
         k, d = points.shape
         along = np.empty((k, d, reach(shape)), dtype=np.int64)
         one_by_one = np.empty((k, d, reach(shape)))
-        hold(0, k, np.zeros(64), geometry, shape, grid, points, along, one_by_one)
+        hold(0, k, np.zeros(STENCIL), geometry, shape, grid, points, along, one_by_one)
         nodes, weights = np.zeros((k, 1, 3), dtype=np.int64), np.ones((k, 1))
         for axis in range(d):
             nodes = np.repeat(nodes, reach(shape), axis=1)

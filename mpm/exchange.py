@@ -10,9 +10,9 @@ from core_models.compilation import inside_kernel
 from core_models.dispatch import generic
 from mpm.geometries import depth_of
 from mpm.grid import FORCE, RECORD, VELOCITY
-from mpm.interpolation import half_size, reach, spread
-from mpm.lanes import add_to, fused, lane, lanes, load
-from mpm.tile import MOMENTS, OFFSETS, SLOPES, WEIGHTS, edge_of, put_moments, put_offsets, put_stencil
+from mpm.interpolation import half_size, reach, row, spread
+from mpm.lanes import fused, lane, lanes, load, store
+from mpm.tile import LEVERS, MOMENTS, OFFSETS, SLOPES, WEIGHTS, edge_of, put_moments, put_offsets, put_stencil
 
 
 @generic
@@ -35,6 +35,9 @@ def _(
     put_stencil(stencil, geometry, shape, p, t, grid.over_h)
     put_offsets(stencil, shape, t, grid.h)
     edge, nodes = edge_of(shape), reach(shape)
+    # In registers: what is read from memory after each store to the tile would be read again.
+    n_x, s_x = row(shape, stencil, WEIGHTS), row(shape, stencil, SLOPES)
+    m_x = row(shape, stencil, LEVERS)
     for c in range(depth_of(geometry, shape)):
         n_z, s_z = stencil[WEIGHTS + 4 * c + 2], stencil[SLOPES + 4 * c + 2]
         at_z = fused(stencil[OFFSETS + 4 * c + 2], spin_z, momentum)
@@ -45,12 +48,12 @@ def _(
             turned = n_yz * spin_x
             carried = fused(s_y * n_z, pull_y, fused(n_y * s_z, pull_z, n_yz * force))
             pull = n_yz * pull_x
-            row = RECORD * (start + edge * (b + edge * c))
+            to = RECORD * (start + edge * (b + edge * c))
             for a in range(nodes):
-                n_x, s_x = stencil[WEIGHTS + 4 * a], stencil[SLOPES + 4 * a]
-                to = row + RECORD * a
-                add_to(tile, to, fused(n_x, moved, n_x * stencil[OFFSETS + 4 * a] * turned))
-                add_to(tile, to + FORCE, fused(n_x, carried, s_x * pull))
+                store(tile, to, fused(m_x[a], turned, fused(n_x[a], moved, load(tile, to))))
+                at = to + FORCE
+                store(tile, at, fused(s_x[a], pull, fused(n_x[a], carried, load(tile, at))))
+                to += RECORD
 
 
 @generic
@@ -65,17 +68,17 @@ def _(shape, geometry, grid, stencil, tile, start, p, t, momentum, spin_x, spin_
     put_stencil(stencil, geometry, shape, p, t, grid.over_h)
     put_offsets(stencil, shape, t, grid.h)
     edge, nodes = edge_of(shape), reach(shape)
+    n_x, m_x = row(shape, stencil, WEIGHTS), row(shape, stencil, LEVERS)
     for c in range(depth_of(geometry, shape)):
         at_z = fused(stencil[OFFSETS + 4 * c + 2], spin_z, momentum)
         for b in range(nodes):
             weight = stencil[WEIGHTS + 4 * b + 1] * stencil[WEIGHTS + 4 * c + 2]
             moved = weight * fused(stencil[OFFSETS + 4 * b + 1], spin_y, at_z)
             turned = weight * spin_x
-            row = VELOCITY * (start + edge * (b + edge * c))
+            to = VELOCITY * (start + edge * (b + edge * c))
             for a in range(nodes):
-                n = stencil[WEIGHTS + 4 * a]
-                part = fused(n, moved, n * stencil[OFFSETS + 4 * a] * turned)
-                add_to(tile, row + VELOCITY * a, part)
+                store(tile, to, fused(m_x[a], turned, fused(n_x[a], moved, load(tile, to))))
+                to += VELOCITY
 
 
 @generic
@@ -88,12 +91,14 @@ def _(shape, geometry, grid, stencil, tile, source, start, p, t, mass):
     put_stencil(stencil, geometry, shape, p, t, grid.over_h)
     momentum = mass * interpolate(shape, geometry, stencil, source, start)
     edge, nodes = edge_of(shape), reach(shape)
+    n_x = row(shape, stencil, WEIGHTS)
     for c in range(depth_of(geometry, shape)):
         for b in range(nodes):
-            row = VELOCITY * (start + edge * (b + edge * c))
+            to = VELOCITY * (start + edge * (b + edge * c))
             part = stencil[WEIGHTS + 4 * b + 1] * stencil[WEIGHTS + 4 * c + 2] * momentum
             for a in range(nodes):
-                add_to(tile, row + VELOCITY * a, stencil[WEIGHTS + 4 * a] * part)
+                store(tile, to, fused(n_x[a], part, load(tile, to)))
+                to += VELOCITY
 
 
 @generic
@@ -111,10 +116,10 @@ def _(shape, affine, geometry, grid, stencil, tile, start, p, t):
     for c in range(depth_of(geometry, shape)):
         n, n_x, n_y, n_u, n_w = zero, zero, zero, zero, zero
         for b in range(nodes):
-            row = VELOCITY * (start + edge * (b + edge * c))
+            at = VELOCITY * (start + edge * (b + edge * c))
             m, m_x, m_u = zero, zero, zero
             for a in range(nodes):
-                u = load(tile, row + VELOCITY * a)
+                u = load(tile, at + VELOCITY * a)
                 m = fused(stencil[WEIGHTS + 4 * a], u, m)
                 m_x = fused(stencil[SLOPES + 4 * a], u, m_x)
                 m_u = fused(stencil[MOMENTS + 4 * a], u, m_u)
@@ -148,10 +153,10 @@ def _(shape, geometry, stencil, tile, start):
     for c in range(depth_of(geometry, shape)):
         n = zero
         for b in range(nodes):
-            row = VELOCITY * (start + edge * (b + edge * c))
+            at = VELOCITY * (start + edge * (b + edge * c))
             m = zero
             for a in range(nodes):
-                m = fused(stencil[WEIGHTS + 4 * a], load(tile, row + VELOCITY * a), m)
+                m = fused(stencil[WEIGHTS + 4 * a], load(tile, at + VELOCITY * a), m)
             n = fused(stencil[WEIGHTS + 4 * b + 1], m, n)
         v = fused(stencil[WEIGHTS + 4 * c + 2], n, v)
     return v
@@ -184,6 +189,6 @@ def _(shape, geometry, grid, p, t, x, y, z):
 
 
 @inside_kernel
-def dot(u, v):
-    """Product of two vectors in lanes 0 ... 2."""
-    return lane(u, 0) * lane(v, 0) + lane(u, 1) * lane(v, 1) + lane(u, 2) * lane(v, 2)
+def total(v):
+    """Sum of lanes 0 ... 2."""
+    return lane(v, 0) + lane(v, 1) + lane(v, 2)

@@ -121,7 +121,7 @@ class Solver(Body):
         if conduction:
             self._conduction = Conduction(loads, self.particles, kind, self.points, cell_size)
         self._new_velocities = np.empty_like(self.velocities)
-        self._moves = np.empty_like(self.velocities) if self._transfer.share else self._new_velocities
+        self._moves = np.empty_like(self.velocities) if self._transfer.share else None
         self._filled = False
         self._reactions: dict[str, np.ndarray] = {}
         self.time, self.step_count, self.point_updates, self._last_step = 0.0, 0, 0, 0.0
@@ -190,17 +190,15 @@ class Solver(Body):
             self.material.density, points.reference_volumes, points.old_deformation_gradient,
             points.deformation_gradient, self._moves, self._new_velocities, self.volume_ratio,
         )  # fmt: skip
-        external = dt * self._forces.power(self._moves)
+        moves = self._new_velocities if self._moves is None else self._moves
+        external = dt * self._forces.power(moves)
         damped = background.damped_energy(keep) if self._damping else 0.0
         lost = 0.0 if self._remap is None else self._deform_again(dt, external)
         work = points.advance(dt)
         points.accept()
         self._conduct(dt)
-        self.threads.run(advect, -(-points.n // CHUNK), dt, self._moves, self.positions)
-        shared = self._moves is self._new_velocities
+        self.threads.run(advect, -(-points.n // CHUNK), dt, moves, self.positions)
         self.velocities, self._new_velocities = self._new_velocities, self.velocities
-        if shared:
-            self._moves = self._new_velocities
         self._keep_books(work, external, damped, lost, hold, push, sums, kick)
 
     def _constrain(self, dt: float) -> tuple[Hold, Push]:
@@ -228,7 +226,7 @@ class Solver(Body):
         self._constrain(dt)
         self._background.give(
             dt, self.positions, self.velocities, None, None, 0, 0.0, 0.0, self.material.density,
-            points.reference_volumes, points.old_deformation_gradient, points.deformation_gradient, moves, moves,
+            points.reference_volumes, points.old_deformation_gradient, points.deformation_gradient, None, moves,
             self.volume_ratio,
         )  # fmt: skip
         taken = dt * (self._background.power() - self._forces.power(moves))

@@ -16,10 +16,10 @@ import numpy as np
 
 from core_models.compilation import kernel
 from core_models.dispatch import generic
-from mpm.exchange import dot, interpolate_second, take, times_moment
+from mpm.exchange import interpolate_second, take, times_moment, total
 from mpm.geometries import deform, put_columns, put_vector, stand, vector
 from mpm.grid import VELOCITY, block_corner
-from mpm.lanes import fused
+from mpm.lanes import fused, lanes
 from mpm.tile import fetch_second, fetch_tile, place_in_tile
 
 ENERGY, SPEED = 0, 1
@@ -36,8 +36,8 @@ def to_particles(
     ----------
     first, last : homes, in the order of grid.homes. second : flat field w on the grid with records of second_size
     numbers, or None. own, share : see above. density : [kg/m^3]. volumes (n,) : reference [m^3].
-    Written: new_gradient; moves (n, d), the velocity S v that particles move with [m/s]; new_velocities (n, d), which
-    may be the same array where second is None; volume_ratio (n,), det F; affine (n, d, d) or None; sums (homes, 2),
+    Written: new_gradient; new_velocities (n, d); moves (n, d), the velocity S v that particles move with [m/s], or
+    None where that is the new one; volume_ratio (n,), det F; affine (n, d, d) or None; sums (homes, 2),
     kinetic energy [J] (affine part included) and largest squared speed [m^2/s^2].
     """
     tile, stencil = scratch.tile, scratch.stencil
@@ -46,23 +46,23 @@ def to_particles(
         corner = block_corner(grid, home)
         fetch_tile(geometry, shape, grid, home, grid.after, VELOCITY, tile)
         fetch_second(second, geometry, shape, grid, home, second_size, scratch.second)
-        energy, fastest = 0.0, 0.0
+        energy, fastest = lanes(0.0, 0.0, 0.0, 0.0), 0.0
         for place in range(order.start[home], order.start[home + 1]):
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
             start = place_in_tile(shape, corner, i, j, k)
             v, l_x, l_y, l_z, c_x, c_y, c_z = take(shape, affine, geometry, grid, stencil, tile, start, p, t)
             put_affine(affine, geometry, p, c_x, c_y, c_z)
-            put_vector(geometry, moves, p, v)
+            put_moves(moves, geometry, p, v)
             volume_ratio[p] = deform(geometry, old_gradient, new_gradient, p, dt, l_x, l_y, l_z, v, positions)
             w = interpolate_second(second, shape, geometry, stencil, scratch.second, start)
             v = new_velocity(second, geometry, velocities, p, own, share, v, w)
             put_vector(geometry, new_velocities, p, v)
-            square = dot(v, v)
-            affine_part = affine_square(affine, shape, geometry, grid, p, t, c_x, c_y, c_z)
-            energy += 0.5 * density * volumes[p] * (square + affine_part)
-            fastest = max(fastest, square)
-        sums[number, ENERGY] = energy
+            squares = v * v
+            fastest = max(fastest, total(squares))
+            squares = add_affine(affine, shape, geometry, grid, p, t, c_x, c_y, c_z, squares)
+            energy = fused(0.5 * density * volumes[p], squares, energy)
+        sums[number, ENERGY] = total(energy)
         sums[number, SPEED] = fastest
 
 
@@ -97,17 +97,31 @@ def _(affine, geometry, p, x, y, z):
 
 
 @generic
-def affine_square(affine, shape, geometry, grid, p, t, x, y, z):
-    """Mean square of the affine velocity C with columns x, y, z over its particle, (C D) . C [m^2/s^2]."""
+def add_affine(affine, shape, geometry, grid, p, t, x, y, z, squares):
+    """Add the mean square of the affine velocity C with columns x, y, z over its particle, (C D) . C [m^2/s^2]."""
 
 
-@affine_square.register(np.ndarray)
-def _(affine, shape, geometry, grid, p, t, x, y, z):
+@add_affine.register(np.ndarray)
+def _(affine, shape, geometry, grid, p, t, x, y, z, squares):
     c_x, c_y, c_z = times_moment(shape, geometry, grid, p, t, x, y, z)
-    square = dot(c_x, x) + dot(c_y, y)
-    return square + dot(c_z, z)
+    return fused(c_x, x, fused(c_y, y, fused(c_z, z, squares)))
 
 
-@affine_square.register(type(None))
-def _(affine, shape, geometry, grid, p, t, x, y, z):
-    return 0.0
+@add_affine.register(type(None))
+def _(affine, shape, geometry, grid, p, t, x, y, z, squares):
+    return squares
+
+
+@generic
+def put_moves(moves, geometry, p, v):
+    """Write the velocity that particle p moves with, if it is kept by itself."""
+
+
+@put_moves.register(np.ndarray)
+def _(moves, geometry, p, v):
+    put_vector(geometry, moves, p, v)
+
+
+@put_moves.register(type(None))
+def _(moves, geometry, p, v):
+    return
