@@ -41,7 +41,6 @@ def test_elements_that_do_not_exist_are_refused(refused):
     refused("one point.*nodal-average or none", kind="tri3", cure="mean-dilatation", **PLANE)
     refused("too few points to lock; use none", integration="reduced", cure="mean-dilatation", **PLANE)
     refused("other cures; use mean-dilatation or none", cure="nodal-average", **PLANE)
-    refused("conduction", error=UnsupportedError, conduction=True, **PLANE)
 
 
 def test_numbers_out_of_range_are_refused(refused):
