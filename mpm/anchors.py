@@ -93,6 +93,10 @@ class Anchors:
         self._velocities = grid.after.reshape(-1, VELOCITY)
         self._masses = self._records[self.nodes, MASS]
 
+    def __len__(self) -> int:
+        """Number of points."""
+        return len(self._local)
+
     def before(self, axis: int) -> np.ndarray:
         """The grid's velocity along an axis before the forces at the points (k,) [m/s]."""
         return self._interpolate(axis, self._records[self.nodes, axis])
@@ -119,8 +123,8 @@ class Anchors:
         self._records[self.nodes, FORCE + axis] += self._spread(axis, forces)
 
     def even(self, values: np.ndarray) -> np.ndarray:
-        """Interpolate values at the nodes (m,), even across symmetry planes, to the points (k,)."""
-        return (np.abs(self._weights[:, :, 0]) * values[self._local]).sum(axis=1)
+        """Interpolate values of all nodes of the grid, even across symmetry planes, to the points (k,)."""
+        return (np.abs(self._weights[:, :, 0]) * values[self.nodes][self._local]).sum(axis=1)
 
     def spread_evenly(self, values: np.ndarray) -> np.ndarray:
         """Spread what the points hold (k,) over the nodes (m,), the same way on both sides of symmetry planes."""

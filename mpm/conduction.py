@@ -1,7 +1,7 @@
 """Heat conduction in a body of particles; equations in `core_models.conduction`.
 
 The grid is filled anew in each step, with the temperatures of the particles and the slopes that they carry; boundaries
-act at the middles of the particles' faces, as supports do (`mpm.supports`). Bodies that share nodes share heat.
+act at the middles of the particles' faces. Bodies that share nodes share heat.
 """
 
 import numpy as np
@@ -26,7 +26,6 @@ from mpm.heat_flow import (
     warm_particles,
 )
 from mpm.particles import Particles
-from mpm.supports import solve
 from mpm.surface import Surface
 
 
@@ -108,7 +107,7 @@ class Conduction:
         self._mirror(background, (FLOW,), False)
         heat = self._let_in(background, dt, time + 0.5 * dt, positions, deformation_gradient)
         threads.run(warm_nodes, background.blocks, geometry, dt, field)
-        heat += self._hold(background, time + dt, positions, deformation_gradient)
+        heat += self._hold(background, dt, time + dt, positions, deformation_gradient)
         self._mirror(background, (RISE,), True)
         background.over_homes(
             warm_particles, positions, before, self._decay(dt), field, points.old.temperature
@@ -130,11 +129,9 @@ class Conduction:
             for column in columns:
                 mirror(background.geometry, background.grid, *pair, self._field, column, back)
 
-    def _column(self, anchors: Anchors, column: int) -> np.ndarray:
-        return self._field.reshape(-1, VELOCITY)[anchors.nodes, column]
-
-    def _add(self, anchors: Anchors, column: int, values: np.ndarray) -> None:
-        self._field.reshape(-1, VELOCITY)[anchors.nodes, column] += values
+    @property
+    def _records(self) -> np.ndarray:
+        return self._field.reshape(-1, VELOCITY)
 
     def _let_in(
         self,
@@ -149,37 +146,54 @@ class Conduction:
         for load, surface in self._fluxes:
             flow = at_time(load.flux, time) * surface.reference_areas
             anchors = background.anchors(surface.points(positions, deformation_gradient))
-            self._add(anchors, FLOW, anchors.spread_evenly(flow))
+            self._records[anchors.nodes, FLOW] += anchors.spread_evenly(flow)
             heat += dt * float(flow.sum())
         return heat
 
     def _hold(
-        self, background: Background, time: float, positions: np.ndarray, deformation_gradient: np.ndarray
+        self,
+        background: Background,
+        dt: float,
+        time: float,
+        positions: np.ndarray,
+        deformation_gradient: np.ndarray,
     ) -> float:
-        """Change the nodes' rises so that boundaries take their temperatures at a time [s]; returns the heat [J]."""
+        """Give heat at boundaries so that they take their temperatures at a time [s]; returns it [J].
+
+        The temperature of a face is that of its particle, extended by its slope. Heat at faces warms nodes, and these
+        the particles; each face gets what it would need if all faces needed as much, so what is missing shrinks from
+        step to step. The nodes' own temperature at a face would not do: light nodes take it with next to no heat.
+        """
         if not self._held:
             return 0.0
-        points = [surface.points(positions, deformation_gradient) for _, surface in self._held]
-        wanted = np.concatenate(
-            [
-                np.full(len(p), at_time(load.temperature, time))
-                for (load, _), p in zip(self._held, points, strict=True)
-            ]
+        faces = [surface.points(positions, deformation_gradient) for _, surface in self._held]
+        particles = np.concatenate([surface.particles for _, surface in self._held])
+        wanted = np.repeat(
+            [at_time(load.temperature, time) for load, _ in self._held], [len(places) for places in faces]
         )
-        anchors = background.anchors(np.concatenate(points))
-        found = anchors.even(self._column(anchors, TEMPERATURE) + self._column(anchors, RISE))
-        capacities = self._column(anchors, CAPACITY)
-        heats = solve(_Response(anchors, capacities), 0, wanted - found)
-        self._add(anchors, RISE, anchors.spread_evenly(heats) / capacities)
+        places = np.concatenate(faces)
+        at_faces, at_particles = background.anchors(places), background.anchors(positions[particles])
+        heats = (
+            wanted - self._found(at_particles, particles, places - positions[particles], dt)
+        ) / self._answer(at_faces, at_particles)
+        self._records[at_faces.nodes, RISE] += self._warming(at_faces, heats)
         return float(heats.sum())
 
+    def _found(self, anchors: Anchors, particles: np.ndarray, offsets: np.ndarray, dt: float) -> np.ndarray:
+        """Temperatures (k,) [K] that faces at offsets (k, d) [m] from their particles would have at the step's end."""
+        records, points = self._records, self._points
+        rest = points.new.temperature[particles] - anchors.even(records[:, TEMPERATURE])
+        own = points.old.temperature[particles] + anchors.even(records[:, RISE]) - self._decay(dt) * rest
+        return own + (self.gradients[particles] * offsets).sum(axis=1)
 
-class _Response:
-    """How temperatures at points (k,) answer to heat given there: what `solve` asks of anchors."""
+    def _answer(self, at_faces: Anchors, at_particles: Anchors) -> np.ndarray:
+        """Rises (k,) of the particles' temperatures [K] for 1 J given at every face."""
+        # The flow into the nodes has been used: its column holds their rises.
+        column = self._records[:, FLOW]
+        column[at_particles.nodes] = 0.0
+        column[at_faces.nodes] = self._warming(at_faces, np.ones(len(at_faces)))
+        return at_particles.even(column)
 
-    def __init__(self, anchors: Anchors, capacities: np.ndarray) -> None:
-        self._anchors, self._capacities = anchors, capacities
-
-    def response(self, _axis: int, heats: np.ndarray) -> np.ndarray:
-        """Rises of the temperature at the points (k,) [K] for heat given there (k,) [J]."""
-        return self._anchors.even(self._anchors.spread_evenly(heats) / self._capacities)
+    def _warming(self, anchors: Anchors, heats: np.ndarray) -> np.ndarray:
+        """Rises of the temperatures of the nodes [K] for heat given at points (k,) [J]."""
+        return anchors.spread_evenly(heats) / self._records[anchors.nodes, CAPACITY]
