@@ -93,17 +93,13 @@ class Anchors:
         self._velocities = grid.after.reshape(-1, VELOCITY)
         self._masses = self._records[self.nodes, MASS]
 
-    def before(self, axis: int) -> np.ndarray:
-        """The grid's velocity along an axis before the forces at the points (k,) [m/s]."""
-        return self._interpolate(axis, self._records[self.nodes, axis])
-
     def after(self, axis: int) -> np.ndarray:
         """The grid's velocity along an axis after the forces at the points (k,) [m/s]."""
         return self._interpolate(axis, self._velocities[self.nodes, axis])
 
     def jump(self, axis: int) -> float:
         """Kinetic energy of the change of velocity along an axis that these nodes have undergone [J]."""
-        change = self._velocities[self._nodes, axis] - self._records[self._nodes, axis]
+        change = self._velocities[self.nodes, axis] - self._records[self.nodes, axis]
         return 0.5 * float((self._masses * change * change).sum())
 
     def response(self, axis: int, impulses: np.ndarray) -> np.ndarray:
