@@ -82,6 +82,26 @@ def _(shape, geometry, grid, stencil, tile, start, p, t, momentum, spin_x, spin_
 
 
 @generic
+def give_slopes(shape, geometry, grid, stencil, tile, start, p, t, x, y, z):
+    """Add x dN/dx + y dN/dy + z dN/dz of particle p to the records of four numbers of its nodes; x, y, z : lanes."""
+
+
+@give_slopes.otherwise
+def _(shape, geometry, grid, stencil, tile, start, p, t, x, y, z):
+    put_stencil(stencil, geometry, shape, p, t, grid.over_h)
+    edge, nodes = edge_of(shape), reach(shape)
+    for c in range(depth_of(geometry, shape)):
+        n_z, s_z = stencil[WEIGHTS + 4 * c + 2], stencil[SLOPES + 4 * c + 2]
+        for b in range(nodes):
+            n_y, s_y = stencil[WEIGHTS + 4 * b + 1], stencil[SLOPES + 4 * b + 1]
+            along, across = (n_y * n_z) * x, fused(s_y * n_z, y, (n_y * s_z) * z)
+            row = VELOCITY * (start + edge * (b + edge * c))
+            for a in range(nodes):
+                part = fused(stencil[SLOPES + 4 * a], along, stencil[WEIGHTS + 4 * a] * across)
+                add_to(tile, row + VELOCITY * a, part)
+
+
+@generic
 def smooth(shape, geometry, grid, stencil, tile, source, start, p, t, mass):
     """Add the momentum of particle p with the velocity that its nodes in `source` give it to those in a tile."""
 

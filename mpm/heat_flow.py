@@ -5,26 +5,12 @@ flows into it, and the rise of its temperature.
 """
 
 from core_models.compilation import kernel
-from core_models.dispatch import generic
-from core_models.geometry import Axisymmetric, PlaneStrain, Spatial
-from mpm.exchange import interpolate
-from mpm.geometries import depth_of, put_vector, stand, vector
+from mpm.exchange import give_momentum, give_slopes, take
+from mpm.geometries import put_vector, stand, vector
 from mpm.grid import VELOCITY, block_corner, block_nodes
-from mpm.interpolation import reach
-from mpm.lanes import add_to, lane, lanes
+from mpm.lanes import lane, lanes
 from mpm.mirrors import layer
-from mpm.tile import (
-    OFFSETS,
-    SLOPES,
-    WEIGHTS,
-    add_velocities,
-    clear_tile,
-    edge_of,
-    fetch_tile,
-    place_in_tile,
-    put_offsets,
-    put_stencil,
-)
+from mpm.tile import add_velocities, clear_tile, fetch_tile, place_in_tile
 
 TEMPERATURE, CAPACITY, FLOW, RISE = 0, 1, 2, 3
 
@@ -42,7 +28,6 @@ def gather_heat(
     the body's boundary, where nodes see particles on one side only.
     """
     tile, stencil = scratch.tile, scratch.stencil
-    edge, nodes = edge_of(shape), reach(shape)
     for number in range(offset + first, offset + last):
         home = grid.homes[number]
         corner = block_corner(grid, home)
@@ -50,20 +35,13 @@ def gather_heat(
         for place in range(order.start[home], order.start[home + 1]):
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
-            start = place_in_tile(shape, corner, i, j, k)
-            put_stencil(stencil, geometry, shape, p, t, grid.over_h)
-            put_offsets(stencil, shape, t, grid.h)
-            slope = vector(geometry, gradients, p, 0.0)
-            for c in range(depth_of(geometry, shape)):
-                at_z = temperature[p] + lane(slope, 2) * stencil[OFFSETS + 4 * c + 2]
-                for b in range(nodes):
-                    at_yz = at_z + lane(slope, 1) * stencil[OFFSETS + 4 * b + 1]
-                    part = capacities[p] * stencil[WEIGHTS + 4 * b + 1] * stencil[WEIGHTS + 4 * c + 2]
-                    row = VELOCITY * (start + edge * (b + edge * c))
-                    for a in range(nodes):
-                        share = part * stencil[WEIGHTS + 4 * a]
-                        value = at_yz + lane(slope, 0) * stencil[OFFSETS + 4 * a]
-                        add_to(tile, row + VELOCITY * a, lanes(share * value, share, 0.0, 0.0))
+            capacity = capacities[p]
+            slope = capacity * vector(geometry, gradients, p, 0.0)
+            give_momentum(
+                shape, geometry, grid, stencil, tile, place_in_tile(shape, corner, i, j, k), p, t,
+                lanes(capacity * temperature[p], capacity, 0.0, 0.0), lanes(lane(slope, 0), 0.0, 0.0, 0.0),
+                lanes(lane(slope, 1), 0.0, 0.0, 0.0), lanes(lane(slope, 2), 0.0, 0.0, 0.0),
+            )  # fmt: skip
         add_velocities(geometry, shape, grid, home, tile, field)
 
 
@@ -87,7 +65,6 @@ def conduct(
     gradients (n, d) : of the nodes' temperatures at the particles [K/m], written. field : flat.
     """
     tile, stencil, flow = scratch.second, scratch.stencil, scratch.tile
-    edge, nodes, depth = edge_of(shape), reach(shape), depth_of(geometry, shape)
     for number in range(offset + first, offset + last):
         home = grid.homes[number]
         corner = block_corner(grid, home)
@@ -97,51 +74,15 @@ def conduct(
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
             start = place_in_tile(shape, corner, i, j, k)
-            put_stencil(stencil, geometry, shape, p, t, grid.over_h)
-            x, y, z = 0.0, 0.0, 0.0
-            for c in range(depth):
-                n_z, s_z = stencil[WEIGHTS + 4 * c + 2], stencil[SLOPES + 4 * c + 2]
-                for b in range(nodes):
-                    n_y, s_y = stencil[WEIGHTS + 4 * b + 1], stencil[SLOPES + 4 * b + 1]
-                    row = VELOCITY * (start + edge * (b + edge * c)) + TEMPERATURE
-                    m, m_x = 0.0, 0.0
-                    for a in range(nodes):
-                        m += stencil[WEIGHTS + 4 * a] * tile[row + VELOCITY * a]
-                        m_x += stencil[SLOPES + 4 * a] * tile[row + VELOCITY * a]
-                    x += n_y * n_z * m_x
-                    y += s_y * n_z * m
-                    z += n_y * s_z * m
+            found = take(shape, None, geometry, grid, stencil, tile, start, p, t)
+            x, y, z = lane(found[1], TEMPERATURE), lane(found[2], TEMPERATURE), lane(found[3], TEMPERATURE)
             put_vector(geometry, gradients, p, lanes(x, y, z, 0.0))
             factor = -conductivity * volumes[p] * volume_ratio[p]
-            x, y, z = factor * x, factor * y, factor * z
-            for c in range(depth):
-                n_z, s_z = stencil[WEIGHTS + 4 * c + 2], stencil[SLOPES + 4 * c + 2]
-                for b in range(nodes):
-                    n_y, s_y = stencil[WEIGHTS + 4 * b + 1], stencil[SLOPES + 4 * b + 1]
-                    along = x * n_y * n_z
-                    across = y * s_y * n_z + through(geometry, z * n_y * s_z)
-                    row = VELOCITY * (start + edge * (b + edge * c)) + FLOW
-                    for a in range(nodes):
-                        flow[row + VELOCITY * a] += (
-                            stencil[SLOPES + 4 * a] * along + stencil[WEIGHTS + 4 * a] * across
-                        )
+            give_slopes(
+                shape, geometry, grid, stencil, flow, start, p, t, lanes(0.0, 0.0, factor * x, 0.0),
+                lanes(0.0, 0.0, factor * y, 0.0), lanes(0.0, 0.0, factor * z, 0.0),
+            )  # fmt: skip
         add_velocities(geometry, shape, grid, home, flow, field)
-
-
-@generic
-def through(geometry, flow):
-    """What flows along the third axis, if there is one."""
-
-
-@through.register(Axisymmetric)
-@through.register(PlaneStrain)
-def _(geometry, flow):
-    return 0.0
-
-
-@through.register(Spatial)
-def _(geometry, flow):
-    return flow
 
 
 @kernel
@@ -171,8 +112,8 @@ def warm_particles(
         for place in range(order.start[home], order.start[home + 1]):
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
-            put_stencil(stencil, geometry, shape, p, t, grid.over_h)
-            found = interpolate(shape, geometry, stencil, tile, place_in_tile(shape, corner, i, j, k))
+            start = place_in_tile(shape, corner, i, j, k)
+            found = take(shape, None, geometry, grid, stencil, tile, start, p, t)[0]
             temperature[p] += lane(found, RISE) - decay * (before[p] - lane(found, TEMPERATURE))
 
 
