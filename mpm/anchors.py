@@ -93,14 +93,6 @@ class Anchors:
         self._velocities = grid.after.reshape(-1, VELOCITY)
         self._masses = self._records[self.nodes, MASS]
 
-    def __len__(self) -> int:
-        """Number of points."""
-        return len(self._local)
-
-    def before(self, axis: int) -> np.ndarray:
-        """The grid's velocity along an axis before the forces at the points (k,) [m/s]."""
-        return self._interpolate(axis, self._records[self.nodes, axis])
-
     def after(self, axis: int) -> np.ndarray:
         """The grid's velocity along an axis after the forces at the points (k,) [m/s]."""
         return self._interpolate(axis, self._velocities[self.nodes, axis])
