@@ -95,10 +95,11 @@ def _(shape, geometry, grid, stencil, tile, start, p, t, x, y, z):
         for b in range(nodes):
             n_y, s_y = stencil[WEIGHTS + 4 * b + 1], stencil[SLOPES + 4 * b + 1]
             along, across = (n_y * n_z) * x, fused(s_y * n_z, y, (n_y * s_z) * z)
-            row = VELOCITY * (start + edge * (b + edge * c))
+            to = VELOCITY * (start + edge * (b + edge * c))
             for a in range(nodes):
-                part = fused(stencil[SLOPES + 4 * a], along, stencil[WEIGHTS + 4 * a] * across)
-                add_to(tile, row + VELOCITY * a, part)
+                carried = fused(stencil[WEIGHTS + 4 * a], across, load(tile, to))
+                store(tile, to, fused(stencil[SLOPES + 4 * a], along, carried))
+                to += VELOCITY
 
 
 @generic
