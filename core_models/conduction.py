@@ -23,17 +23,21 @@ from core_models.loads import FixedTemperature, HeatFlux, Load, at_time
 from core_models.material import Material
 
 
-def check_conduction(material: Material) -> None:
-    """Refuse a material that cannot conduct heat; MaterialError naming the tag that its card lacks."""
+def missing_tags(material: Material) -> list[str]:
+    """Tags that the material's card lacks for conduction."""
     needed = {
         "thermal_conductivity": material.thermal_conductivity,
         "specific_heat": material.specific_heat,
     }
-    missing = [f"<{tag}>" for tag, value in needed.items() if value is None]
+    return [tag for tag, value in needed.items() if value is None]
+
+
+def check_conduction(material: Material) -> None:
+    """Refuse a material that cannot conduct heat; MaterialError naming the tags that its card lacks."""
+    missing = " and ".join(f"<{tag}>" for tag in missing_tags(material))
     if missing:
         raise MaterialError(
-            f"{material.name}: conduction needs {' and '.join(missing)}, which its card lacks: add "
-            f"{'it' if len(missing) == 1 else 'them'}, or leave conduction out"
+            f"{material.name}: conduction needs {missing}, which the card lacks: add it, or turn conduction off"
         )
 
 
