@@ -53,7 +53,8 @@ class Anchors:
     geometry, shape, grid : of the background. pairs : (axis, node beyond, image) of its symmetry planes.
     points : positions (k, d) [m].
 
-    nodes : (m,) numbers of the nodes.
+    nodes : (m,) numbers of the nodes. masses : (m,) [kg]. velocities : (..., 4) of all nodes after the forces [m/s].
+    local (k, a) : places in `nodes` of those that each point reaches. weights (k, a, d) : theirs along each axis.
     """
 
     def __init__(
@@ -86,29 +87,37 @@ class Anchors:
                 "use a finer mesh of particles, or take the load off"
             )
         self.nodes, local = np.unique(numbers[numbers >= 0], return_inverse=True)
-        self._local = np.zeros(weights.shape, dtype=np.int64)
-        self._local[numbers >= 0] = local
-        self._weights = signs * (weights / total)[:, :, None]
+        self.local = np.zeros(weights.shape, dtype=np.int64)
+        self.local[numbers >= 0] = local
+        self.weights = signs * (weights / total)[:, :, None]
         self._records = grid.nodes.reshape(-1, RECORD)
-        self._velocities = grid.after.reshape(-1, VELOCITY)
-        self._masses = self._records[self.nodes, MASS]
+        self.velocities = grid.after.reshape(-1, VELOCITY)
+        self.masses = self._records[self.nodes, MASS]
+
+    def __len__(self) -> int:
+        """Number of points."""
+        return len(self.local)
+
+    def before(self, axis: int) -> np.ndarray:
+        """The grid's velocity along an axis before the forces at the points (k,) [m/s]."""
+        return self._interpolate(axis, self._records[self.nodes, axis])
 
     def after(self, axis: int) -> np.ndarray:
         """The grid's velocity along an axis after the forces at the points (k,) [m/s]."""
-        return self._interpolate(axis, self._velocities[self.nodes, axis])
+        return self._interpolate(axis, self.velocities[self.nodes, axis])
 
     def jump(self, axis: int) -> float:
         """Kinetic energy of the change of velocity along an axis that these nodes have undergone [J]."""
-        change = self._velocities[self.nodes, axis] - self._records[self.nodes, axis]
-        return 0.5 * float((self._masses * change * change).sum())
+        change = self.velocities[self.nodes, axis] - self._records[self.nodes, axis]
+        return 0.5 * float((self.masses * change * change).sum())
 
     def response(self, axis: int, impulses: np.ndarray) -> np.ndarray:
         """Change of velocity along an axis (k,) [m/s] at the points that impulses there (k,) [N s] would make."""
-        return self._interpolate(axis, self._spread(axis, impulses) / self._masses)
+        return self._interpolate(axis, self._spread(axis, impulses) / self.masses)
 
     def push(self, axis: int, impulses: np.ndarray) -> None:
         """Change the velocity after the forces by impulses along an axis (k,) [N s] at the points."""
-        self._velocities[self.nodes, axis] += self._spread(axis, impulses) / self._masses
+        self.velocities[self.nodes, axis] += self._spread(axis, impulses) / self.masses
 
     def load(self, axis: int, forces: np.ndarray) -> None:
         """Add forces along an axis (k,) [N] at the points to those on the nodes."""
@@ -116,16 +125,16 @@ class Anchors:
 
     def even(self, values: np.ndarray) -> np.ndarray:
         """Interpolate values of all nodes of the grid, even across symmetry planes, to the points (k,)."""
-        return (np.abs(self._weights[:, :, 0]) * values[self.nodes][self._local]).sum(axis=1)
+        return (np.abs(self.weights[:, :, 0]) * values[self.nodes][self.local]).sum(axis=1)
 
     def spread_evenly(self, values: np.ndarray) -> np.ndarray:
         """Spread what the points hold (k,) over the nodes (m,), the same way on both sides of symmetry planes."""
-        shares = (np.abs(self._weights[:, :, 0]) * values[:, None]).ravel()
-        return np.bincount(self._local.ravel(), weights=shares, minlength=len(self.nodes))
+        shares = (np.abs(self.weights[:, :, 0]) * values[:, None]).ravel()
+        return np.bincount(self.local.ravel(), weights=shares, minlength=len(self.nodes))
 
     def _interpolate(self, axis: int, values: np.ndarray) -> np.ndarray:
-        return (self._weights[:, :, axis] * values[self._local]).sum(axis=1)
+        return (self.weights[:, :, axis] * values[self.local]).sum(axis=1)
 
     def _spread(self, axis: int, values: np.ndarray) -> np.ndarray:
-        shares = (self._weights[:, :, axis] * values[:, None]).ravel()
-        return np.bincount(self._local.ravel(), weights=shares, minlength=len(self.nodes))
+        shares = (self.weights[:, :, axis] * values[:, None]).ravel()
+        return np.bincount(self.local.ravel(), weights=shares, minlength=len(self.nodes))

@@ -8,6 +8,7 @@ from core_models.compilation import CHUNK
 from core_models.geometry import Geometry
 from core_models.threads import Threads
 from mpm.anchors import Anchors
+from mpm.configurations import Total, Updated
 from mpm.grid import FORCE, MASS, RECORD, VELOCITY, block_nodes, clear, make_grid, with_storage
 from mpm.interpolation import layers
 from mpm.interpolation.catalogue import Interpolation
@@ -26,7 +27,7 @@ class Background:
     ----------
     geometry, shape : of the kernels (core_models.geometry, mpm.interpolation). cell_size : [m].
     base : (3,) point that cells are counted from [m]. mirrors : symmetry planes. bounds : (d, 2) where particles may
-    be [m]. threads : worker threads.
+    be [m]. threads : worker threads. configuration : which body the grid covers.
     """
 
     def __init__(
@@ -38,8 +39,10 @@ class Background:
         mirrors: Sequence[Mirror],
         bounds: np.ndarray,
         threads: Threads,
+        configuration: Updated | Total,
     ) -> None:
         self.geometry, self.shape, self.threads = geometry, shape, threads
+        self.configuration = configuration
         self.cell_size, self.mirrors, self.bounds = cell_size, mirrors, bounds
         self._base = base
         self._pairs = [(mirror.axis, *pair) for mirror in mirrors for pair in mirror.pairs(layers(shape))]
@@ -72,10 +75,10 @@ class Background:
     def fill(self, *particles) -> None:
         """Bring mass, momentum and force of the particles to the grid, then turn momentum into velocity.
 
-        particles : what `to_grid` takes from `positions` on.
+        particles : what `to_grid` takes from `positions` to `forces`.
         """
         self.threads.run(clear, self.blocks, self.grid.nodes, RECORD * block_nodes(self.geometry))
-        self.by_colour(to_grid, *particles)
+        self.by_colour(to_grid, *particles, self.configuration)
         self._beyond = self.fold(self.grid.nodes, RECORD)
         self.threads.run(settle, self.blocks, self.geometry, self.grid, self.energies)
         self.reflect(self.grid.nodes, RECORD)
@@ -166,9 +169,12 @@ class Background:
         return float((forces * self.grid.after.reshape(-1, VELOCITY)[:nodes, :3]).sum())
 
     def give(self, dt: float, *particles) -> np.ndarray:
-        """Bring deformation and velocity back; see `to_particles`, from `positions` on. Returns its sums."""
+        """Bring deformation and velocity back; returns the sums of `to_particles`.
+
+        particles : what it takes from `positions` to `volume_ratio`.
+        """
         self.threads.run_with(
             to_particles, len(self.sums), self._scratch, self.geometry, self.shape, self.grid, self.order, dt,
-            *particles, self.sums,
+            *particles, self.configuration, self.sums,
         )  # fmt: skip
         return self.sums.copy()

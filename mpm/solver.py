@@ -1,4 +1,4 @@
-"""Explicit material point method: updated Lagrangian, in the plane, with axial symmetry or in space."""
+"""Explicit material point method: updated or total Lagrangian, in the plane, with axial symmetry or in space."""
 
 import math
 from typing import Any
@@ -24,6 +24,7 @@ from meshes.mesh import Mesh
 from mpm.background import Background
 from mpm.body import Body
 from mpm.conduction import Conduction
+from mpm.configurations import Total, find_configuration, pull_back
 from mpm.contact import Contact, Push
 from mpm.forces import Forces
 from mpm.grid import RECORD, VELOCITY
@@ -33,7 +34,9 @@ from mpm.mirrors import find_mirrors
 from mpm.motion import AFTER, BEFORE, advect
 from mpm.musl import MUSL, USL, Remap, check_update
 from mpm.particles import GAUSS, rim_faces
+from mpm.reference_contact import ReferenceContact
 from mpm.supports import Hold, Supports
+from mpm.surface import Surface
 from mpm.to_particles import ENERGY, SPEED
 from mpm.transfers import make_transfer
 from mpm.xpic import Filter
@@ -53,7 +56,9 @@ class Solver(Body):
     adiabatic. interpolation : 'quadratic', 'cubic', 'linear' or 'gimp'.
     transfer : 'apic', 'flip', 'pic' or 'xpic'. flip_fraction : share of FLIP in the blend with PIC.
     xpic_order : m of XPIC(m). update : of the stress, 'usl' (last) or 'musl' (last, modified).
-    seeding : 'gauss' or 'lattice'. cfl : part of h / (c + |v|) that is taken as step, in (0, 1].
+    configuration : that the grid covers, 'updated' (the body as it is) or 'total' (the reference body).
+    seeding : 'gauss' or 'lattice'. cfl : part of h / (c + |v|), in the total configuration of h / (c |F^-1|), that is
+    taken as step, in (0, 1].
 
     `advance` makes one step: particles to grid -> motion of the grid -> wall -> grid to particles -> points.
     Velocities belong to the middle of the last step, positions and stress to its end.
@@ -81,11 +86,13 @@ class Solver(Body):
         flip_fraction: float = 0.99,
         xpic_order: int = 2,
         update: str = USL,
+        configuration: str = "updated",
         seeding: str = GAUSS,
         cfl: float = 0.5,
     ) -> None:
         check_interpolation(interpolation)
         check_update(update)
+        frame = find_configuration(configuration, interpolation, conduction)
         self._transfer = make_transfer(transfer, flip_fraction, xpic_order)
         check_between("cell_size", cell_size, 0.0, math.inf, "m")
         self.cfl = check_between("cfl", cfl, 0.0, 1.0)
@@ -100,18 +107,26 @@ class Solver(Body):
         super().__init__(
             mesh, material, kind, Threads(threads), seeding=seeding, velocity=velocity, displacement=displacement,
             temperature=temperature, viscosity=viscosity, affine=self._transfer.affine, conduction=conduction,
+            configuration=frame,
         )  # fmt: skip
         if self.points.lengths is not None:
             self.points.lengths[:] = cell_size
         self.cell_size, self.transfer, self.wall = cell_size, transfer, wall
         shape = make_interpolation(interpolation, cell_size, mesh, seeding, self.particles.areas)
         bounds = bounds_of(mesh, cell_size, base, mirrors, wall)
-        self._background = Background(kind, shape, cell_size, base, mirrors, bounds, self.threads)
-        self._background.surround(self.positions)
+        self._background = Background(kind, shape, cell_size, base, mirrors, bounds, self.threads, frame)
+        is_total = isinstance(frame, Total)
+        # Where the particles are in the body that the grid covers: this array itself moves along in the updated one.
+        self._places = self.reference_positions if is_total else self.positions
+        self._background.surround(self._places)
         mirrored = [load.boundary for load in loads if isinstance(load, Symmetry)]
         self._contact = None
         if wall is not None:
-            self._contact = Contact(wall, rim_faces(mesh, kind, seeding, self.particles, mirrored))
+            rim = rim_faces(mesh, kind, seeding, self.particles, mirrored)
+            if is_total:
+                self._contact = ReferenceContact(wall, Surface(rim, self.reference_positions, kind))
+            else:
+                self._contact = Contact(wall, rim)
         self._filter = Filter(self._transfer.order) if self._transfer.order else None
         self._remap = Remap(self.positions) if update == MUSL else None
         self._damping = damping_of(loads)
@@ -120,6 +135,7 @@ class Solver(Body):
         self._conduction = None
         if conduction:
             self._conduction = Conduction(loads, self.particles, kind, self.points, cell_size)
+        self._waves = np.zeros(-(-self.points.n // CHUNK)) if is_total else None
         self._new_velocities = np.empty_like(self.velocities)
         self._moves = np.empty_like(self.velocities) if self._transfer.share else None
         self._filled = False
@@ -157,18 +173,18 @@ class Solver(Body):
     def _fill(self) -> None:
         """Fill the grid with what the particles bring, and measure gaps to the wall."""
         points, background = self.points, self._background
-        outside = background.follow(self.positions)
+        outside = background.follow(self._places)
         if outside is not None:
             self._check_inside(outside)
-            background.surround(self.positions)
-            background.follow(self.positions)
+            background.surround(self._places)
+            background.follow(self._places)
         background.fill(
-            self.positions, self.velocities, self.affine, self.material.density, points.reference_volumes,
-            self.volume_ratio, points.old.stress, points.viscous_pressure,
+            self._places, self.velocities, self.affine, self.material.density, points.reference_volumes,
+            self.volume_ratio, points.old_deformation_gradient, points.old.stress, points.viscous_pressure,
             self._forces.on_particles(self.time, self.positions),
         )  # fmt: skip
         if self._filter is not None:
-            self._filter.apply(background, self.positions, self.material.density, points.reference_volumes)
+            self._filter.apply(background, self._places, self.material.density, points.reference_volumes)
         self._forces.load_surfaces(background, self.time, self.positions, points.old_deformation_gradient)
         if self._contact is not None:
             self._contact.measure(background, self.positions, points.old_deformation_gradient)
@@ -186,7 +202,7 @@ class Solver(Body):
         if self._filter is not None:
             second, size = self._filter.correction, VELOCITY
         sums = background.give(
-            dt, self.positions, self.velocities, self.affine, second, size, transfer.own, transfer.share,
+            dt, self._places, self.velocities, self.affine, second, size, transfer.own, transfer.share,
             self.material.density, points.reference_volumes, points.old_deformation_gradient,
             points.deformation_gradient, self._moves, self._new_velocities, self.volume_ratio,
         )  # fmt: skip
@@ -220,12 +236,12 @@ class Solver(Body):
         points, moves = self.points, self._remap.moves
         given = dt * self._background.power() - external
         self._remap.apply(
-            self._background, self.positions, self._new_velocities, self.affine, self.material.density,
+            self._background, self._places, self._new_velocities, self.affine, self.material.density,
             points.reference_volumes,
         )  # fmt: skip
         self._constrain(dt)
         self._background.give(
-            dt, self.positions, self.velocities, None, None, 0, 0.0, 0.0, self.material.density,
+            dt, self._places, self.velocities, None, None, 0, 0.0, 0.0, self.material.density,
             points.reference_volumes, points.old_deformation_gradient, points.deformation_gradient, None, moves,
             self.volume_ratio,
         )  # fmt: skip
@@ -283,8 +299,19 @@ class Solver(Body):
     def _stable_step(self, speed: float, wave_speed: float, viscous_pressure: float) -> float:
         relative = viscous_pressure / (self.material.density * wave_speed**2)
         damping = damped_step_factor(self.points.viscosity, relative)
-        step = self.cfl * damping * self.cell_size / (wave_speed + speed)
+        step = self.cfl * damping * self.cell_size / self._fastest_wave(speed, wave_speed)
         return step if self._conduction is None else min(step, self._conduction.limit)
+
+    def _fastest_wave(self, speed: float, wave_speed: float) -> float:
+        """Speed [m/s] of what moves fastest through the grid: waves, and particles where they cross it."""
+        if self._waves is None:
+            return wave_speed + speed
+        points = self.points
+        self.threads.run(
+            pull_back, len(self._waves), self.geometry, points.old_deformation_gradient, points.wave_speed,
+            self.cell_size, points.lengths, self._waves,
+        )  # fmt: skip
+        return math.sqrt(float(self._waves.max()))
 
     def _check_inside(self, particle: int) -> None:
         """Raise RunFailure for a particle that no grid could hold."""
@@ -304,7 +331,7 @@ class Solver(Body):
         """Kinetic energy of the particles as they are, affine part included [J]."""
         squares = (self.velocities**2).sum(axis=1)
         if self.affine is not None and self.affine.any():
-            carried = self._background.carried(self.positions, self.affine)
+            carried = self._background.carried(self._places, self.affine)
             squares += (carried * self.affine).sum(axis=(1, 2))
         return 0.5 * float((self.particle_mass * squares).sum())
 
@@ -320,7 +347,11 @@ class Solver(Body):
         x, v = self.positions, self.velocities
         spin = np.einsum("nj,ni->nij", x, v)
         if self.affine is not None:
-            spin += self._background.carried(x, self.affine)
+            carried = self._background.carried(self._places, self.affine)
+            if isinstance(self.configuration, Total):
+                d = x.shape[1]
+                carried = carried @ self.points.old_deformation_gradient[:, :d, :d].transpose(0, 2, 1)
+            spin += carried
         spin = (self.particle_mass[:, None, None] * spin).sum(axis=0)
         whole = spin - spin.T
         return float(whole[1, 0]) if len(whole) == 2 else np.array([whole[2, 1], whole[0, 2], whole[1, 0]])

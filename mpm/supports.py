@@ -70,7 +70,10 @@ class Supports:
         starting : whether this is the body's first step.
         """
         total = {name: np.zeros(self._dimension) for name in self.names}
-        places = {name: s.points(positions, deformation_gradient) for name, s in self._surfaces.items()}
+        places = {
+            name: s.places(background.configuration, positions, deformation_gradient)
+            for name, s in self._surfaces.items()
+        }
         work, lost, energy = 0.0, 0.0, 0.0
         for axis, loads in enumerate(self._by_axis):
             if not loads:

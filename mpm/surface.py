@@ -4,6 +4,7 @@ import numpy as np
 
 from core_models.geometry import Axisymmetric, Geometry
 from meshes.facets import facet_vectors
+from mpm.configurations import Total, Updated
 from mpm.particles import Faces
 from mpm.shape import deformed
 
@@ -28,6 +29,14 @@ class Surface:
     def points(self, positions: np.ndarray, deformation_gradient: np.ndarray) -> np.ndarray:
         """Current middles (k, d) [m] of the faces."""
         return deformed(self.particles, self._middles, positions, deformation_gradient)[:, 0]
+
+    def places(
+        self, configuration: Updated | Total, positions: np.ndarray, deformation_gradient: np.ndarray
+    ) -> np.ndarray:
+        """Where the middles (k, d) [m] lie in the body that the grid covers."""
+        if isinstance(configuration, Total):
+            return self.reference_points
+        return self.points(positions, deformation_gradient)
 
     def area_vectors(
         self, points: np.ndarray, positions: np.ndarray, deformation_gradient: np.ndarray

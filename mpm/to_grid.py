@@ -14,6 +14,7 @@ import numpy as np
 from core_models.compilation import kernel
 from core_models.dispatch import generic
 from core_models.state import read
+from mpm.configurations import pulls
 from mpm.exchange import give
 from mpm.geometries import column, hoop_force, stand, vector
 from mpm.grid import RECORD, block_corner
@@ -24,7 +25,7 @@ from mpm.tile import add_tile, clear_tile, place_in_tile
 @kernel
 def to_grid(
     first, last, scratch, geometry, shape, grid, order, offset, positions, velocities, affine, density, volumes,
-    volume_ratio, stress, viscous, forces,
+    volume_ratio, gradients, stress, viscous, forces, configuration,
 ):  # fmt: skip
     """Add mass, momentum and force of the particles of some homes to the grid.
 
@@ -33,7 +34,8 @@ def to_grid(
     first, last : homes of one colour, counted from `offset` in grid.homes; two of one colour share no node.
     positions, velocities (n, d). affine (n, d, d) [1/s] or None. density [kg/m^3] : in the reference body.
     volumes (n,) : reference [m^3]. volume_ratio (n,). stress (n, 6) [Pa]. viscous (n,) [Pa] or None.
-    forces (n, d) : on the particles [N], or None.
+    forces (n, d) : on the particles [N], or None. configuration : what positions and stress belong to
+    (mpm.configurations); in the total one, gradients (n, 3, 3) turn the stress into that of the reference body.
     """
     tile, stencil = scratch.tile, scratch.stencil
     for number in range(offset + first, offset + last):
@@ -49,17 +51,12 @@ def to_grid(
             spin_x = momentum_slope(affine, geometry, p, 0, mass)
             spin_y = momentum_slope(affine, geometry, p, 1, mass)
             spin_z = momentum_slope(affine, geometry, p, 2, mass)
-            volume = -volumes[p] * volume_ratio[p]
             q = read(viscous, p, 0.0)
-            t_xx, t_yy, t_zz = (
-                volume * (stress[p, 0] - q),
-                volume * (stress[p, 1] - q),
-                volume * (stress[p, 2] - q),
-            )
-            t_xy, t_yz, t_zx = volume * stress[p, 3], volume * stress[p, 4], volume * stress[p, 5]
-            pull_x, pull_y = lanes(t_xx, t_xy, t_zx, 0.0), lanes(t_xy, t_yy, t_yz, 0.0)
-            pull_z = lanes(t_zx, t_yz, t_zz, 0.0)
-            carried = force_on(forces, geometry, p) + hoop_force(geometry, positions, p, t_zz)
+            pull_x, pull_y, pull_z, hoop = pulls(
+                configuration, geometry, gradients, p, volumes[p], volume_ratio[p], stress[p, 0] - q,
+                stress[p, 1] - q, stress[p, 2] - q, stress[p, 3], stress[p, 4], stress[p, 5],
+            )  # fmt: skip
+            carried = force_on(forces, geometry, p) + hoop_force(geometry, positions, p, hoop)
             give(
                 shape, geometry, grid, stencil, tile, start, p, t, momentum, spin_x, spin_y, spin_z, carried, pull_x,
                 pull_y, pull_z,

@@ -16,8 +16,9 @@ import numpy as np
 
 from core_models.compilation import kernel
 from core_models.dispatch import generic
+from mpm.configurations import deform_particle
 from mpm.exchange import interpolate_second, take, times_moment, total
-from mpm.geometries import deform, put_columns, put_vector, stand, vector
+from mpm.geometries import put_columns, put_vector, stand, vector
 from mpm.grid import VELOCITY, block_corner
 from mpm.lanes import fused, lanes
 from mpm.tile import fetch_second, fetch_tile, place_in_tile
@@ -28,14 +29,15 @@ ENERGY, SPEED = 0, 1
 @kernel
 def to_particles(
     first, last, scratch, geometry, shape, grid, order, dt, positions, velocities, affine, second, second_size, own,
-    share, density, volumes, old_gradient, new_gradient, moves, new_velocities, volume_ratio, sums,
+    share, density, volumes, old_gradient, new_gradient, moves, new_velocities, volume_ratio, configuration, sums,
 ):  # fmt: skip
     """Deform the particles with the grid's velocity and give them new velocities.
 
     Parameters
     ----------
     first, last : homes, in the order of grid.homes. second : flat field w on the grid with records of second_size
-    numbers, or None. own, share : see above. density : [kg/m^3]. volumes (n,) : reference [m^3].
+    numbers, or None. own, share : see above. density : [kg/m^3]. volumes (n,) : reference [m^3]. configuration : says
+    what F becomes (mpm.configurations).
     Written: new_gradient; new_velocities (n, d); moves (n, d), the velocity S v that particles move with [m/s], or
     None where that is the new one; volume_ratio (n,), det F; affine (n, d, d) or None; sums (homes, 2),
     kinetic energy [J] (affine part included) and largest squared speed [m^2/s^2].
@@ -54,7 +56,9 @@ def to_particles(
             v, l_x, l_y, l_z, c_x, c_y, c_z = take(shape, affine, geometry, grid, stencil, tile, start, p, t)
             put_affine(affine, geometry, p, c_x, c_y, c_z)
             put_moves(moves, geometry, p, v)
-            volume_ratio[p] = deform(geometry, old_gradient, new_gradient, p, dt, l_x, l_y, l_z, v, positions)
+            volume_ratio[p] = deform_particle(
+                configuration, geometry, old_gradient, new_gradient, p, dt, l_x, l_y, l_z, v, positions
+            )
             w = interpolate_second(second, shape, geometry, stencil, scratch.second, start)
             v = new_velocity(second, geometry, velocities, p, own, share, v, w)
             put_vector(geometry, new_velocities, p, v)
