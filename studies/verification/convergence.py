@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from core_models.errors import RunFailure
 from core_models.elasticity.isotropic import IsotropicElastic
+from core_models.errors import RunFailure
 from core_models.loads import REFERENCE, BodyForce, Load
 from core_models.material import Material
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean

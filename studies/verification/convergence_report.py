@@ -60,7 +60,11 @@ def _control_criterion(control: str, rows: Sequence, variants: Iterable[Variant]
     """The control converges visibly worse over all sizes, or its runs go wrong."""
     asked = min(variant.lowest_order for variant in variants if variant.lowest_order is not None)
     finite = [row for row in rows if row.root_mean_square > 0.0]
-    order = fitted_order([row.size for row in finite], [row.root_mean_square for row in finite]) if finite[1:] else 0.0
+    order = (
+        fitted_order([row.size for row in finite], [row.root_mean_square for row in finite])
+        if finite[1:]
+        else 0.0
+    )
     wrong = f", {len(rows) - len(finite)} runs went wrong" if len(finite) < len(rows) else ""
     return Criterion(f"order of {control}, visibly lower{wrong}", order, high=asked - VISIBLY)
 

@@ -8,7 +8,9 @@ BEFORE_FLOOR = 1.5  # of GIMP and CPDI, before their floor
 CONTROL = "MPM linear"
 KINDS = {2: ("quad4", "tri3", "quad8", "quad9", "tri6"), 3: ("hex8", "tet4", "hex20", "hex27", "tet10")}
 SEEDED = {2: "quad4", 3: "hex8"}  # meshes that particles are made from
-EVEN = {"seeding": "lattice"}  # evenly spaced particles sample a stress that crosses cells better than Gauss points
+EVEN = {
+    "seeding": "lattice"
+}  # evenly spaced particles sample a stress that crosses cells better than Gauss points
 INTERPOLATIONS = {
     "linear": None,
     "gimp": BEFORE_FLOOR,
@@ -45,7 +47,8 @@ def transfers(dimension: int, finer: int = 1) -> list[Variant]:
     }
     kind = SEEDED[dimension]
     found = [
-        Variant(f"MPM quadratic, {name}", MPM, kind, EVEN | more, finer=finer) for name, more in options.items()
+        Variant(f"MPM quadratic, {name}", MPM, kind, EVEN | more, finer=finer)
+        for name, more in options.items()
     ]
     linear = EVEN | {"interpolation": "linear", "configuration": "total"}
     return [*found, Variant("MPM linear, total", MPM, kind, linear, finer=finer)]
