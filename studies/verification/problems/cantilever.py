@@ -9,20 +9,24 @@ from studies.verification.convergence import neo_hookean
 from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
 from studies.verification.problem import Problem
 from studies.verification.variant import FEM, MPM, Variant, attempt, run_until
+from studies.verification.variants import EVEN
 
-LENGTH, HEIGHT = 1.0, 0.05  # m
+LENGTH, HEIGHT = 1.0, 0.08  # m
 YOUNG, DENSITY = 1.2e7, 1000.0  # Pa, kg/m^3; without Poisson's effect
-LOADS = {False: (0.5, 1.0, 2.0, 5.0), True: (2.0,)}  # P L^2 / (E I)
+LOADS = {False: (1.0, 2.0, 4.0), True: (2.0,)}  # P L^2 / (E I)
 ACROSS = 4  # cells in the height
 TOLERANCE = 0.01  # of the length
+COARSE = (
+    "MPM quadratic, 2 × 2 particles"  # too few to sample the stress of a beam that has turned: not judged
+)
 FIRST_MODE = 3.516 / LENGTH**2 * np.sqrt(YOUNG * HEIGHT**2 / (12.0 * DENSITY))  # rad/s, Bernoulli's beam
-RAMP, REST = 1.0, 2.0  # periods of the first mode in which the force grows, and until the end
+RAMP, REST = 1.0, 1.8  # periods of the first mode in which the force grows, and until the end
 
 VARIANTS = (
-    Variant("FEM quad8", FEM, "quad8"),
     Variant("FEM quad4", FEM, "quad4"),
-    Variant("MPM quadratic", MPM, "quad4"),
-    Variant("MPM quadratic, total", MPM, "quad4", {"configuration": "total"}),
+    Variant("MPM quadratic", MPM, "quad4", EVEN, finer=2),
+    Variant(COARSE, MPM, "quad4", EVEN),
+    Variant("MPM quadratic, total", MPM, "quad4", EVEN | {"configuration": "total"}),
 )
 
 
@@ -57,10 +61,10 @@ def run(quick: bool) -> Outcome:
         for load, (deflection, shortening) in zip(loads, found, strict=True):
             exact = tip_state(load)
             rows.append((label, load, deflection, exact.deflection, shortening, exact.shortening))
-            off = max(abs(deflection - exact.deflection), abs(shortening - exact.shortening))
-            outcome.criteria.append(
-                Criterion(f"tip under {load:g}, {label}", 100.0 * off, high=100.0 * TOLERANCE, unit="% of L")
-            )
+            off = 100.0 * max(abs(deflection - exact.deflection), abs(shortening - exact.shortening))
+            if label != COARSE:
+                what = f"tip under {load:g}, {label}"
+                outcome.criteria.append(Criterion(what, off, high=100.0 * TOLERANCE, unit="% of L"))
     outcome.criteria += [
         Criterion(
             f"tip, {each.variant.label}", None, high=100.0 * TOLERANCE, unit="% of L", reason=each.reason

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from core_models.errors import RunFailure
 from studies.verification.bodies import strip_body
 from studies.verification.convergence import neo_hookean
 from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
@@ -14,7 +15,7 @@ STRETCH = 1.05
 VELOCITY = (30.0, 11.0)  # m/s
 END = LENGTH / 400.0  # s; until then no wave from the free ends has reached the part that is watched
 WATCHED = 0.125  # share of the length, on both sides of the middle
-SMOOTH, ROUGH = 0.1, 0.3  # of the stress: allowed with smooth shape functions, and shown by linear ones
+SMOOTH, ROUGH = 0.05, 0.3  # of the stress: allowed with smooth shape functions, and shown by linear ones
 
 INTERPOLATIONS = ("linear", "gimp", "cpdi", "quadratic", "cubic")
 CONTROL = "MPM linear"
@@ -38,7 +39,14 @@ def carried(variant: Variant) -> dict[str, np.ndarray]:
     exact = solver.points.old.stress[watched, 0].copy()
     times, errors = [0.0], [0.0]
     while solver.time < END:
-        solver.advance(END)
+        try:
+            solver.advance(END)
+        except RunFailure:
+            if (
+                variant.label == CONTROL
+            ):  # its particles may be inverted by the jumps: they have been seen by then
+                break
+            raise
         times.append(solver.time)
         errors.append(float(np.abs(solver.points.old.stress[watched, 0] / exact - 1.0).max()))
     return {"cells": np.array(times) * VELOCITY[0] / SIZE, "error": np.array(errors)}

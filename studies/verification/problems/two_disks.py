@@ -11,27 +11,25 @@ from studies.verification.variant import MPM, Variant, attempt
 
 YOUNG, POISSON, DENSITY = 1000.0, 0.3, 1000.0  # Pa, -, kg/m^3
 RADIUS, CENTRES, SPEED = 0.2, ((0.2, 0.2), (0.8, 0.8)), 0.1  # m, m, m/s along both axes
-SIZE = {False: 0.05, True: 0.05}  # m
+SIZE = 0.05  # m
+CFL = 0.025  # the published step, 1 ms
 END = 3.5  # s
 GEOMETRIC_CONTACT = 1.5858  # s
 KINETIC = 2.513  # J per m of thickness, of round disks
-RECOVERED = 0.9  # share of the kinetic energy that the disks have again once apart
+KEPT, RECOVERED = (
+    0.95,
+    0.8,
+)  # shares of the energy: kinetic and strain, kinetic alone, once the disks are apart
 ROUND_OFF, ENERGY_TOLERANCE = 1e-12, 0.02
 
+FLIP = {"transfer": "flip", "flip_fraction": 1.0}
 VARIANTS = (
+    Variant("MPM linear, FLIP", MPM, "quad4", FLIP | {"interpolation": "linear"}),
+    Variant("MPM GIMP, FLIP", MPM, "quad4", FLIP | {"interpolation": "gimp"}),
+    Variant("MPM quadratic, FLIP", MPM, "quad4", FLIP),
     Variant("MPM quadratic, APIC", MPM, "quad4"),
-    Variant("MPM quadratic, FLIP", MPM, "quad4", {"transfer": "flip", "flip_fraction": 1.0}),
-    Variant(
-        "MPM linear, FLIP",
-        MPM,
-        "quad4",
-        {"interpolation": "linear", "transfer": "flip", "flip_fraction": 1.0},
-    ),
-    Variant(
-        "MPM GIMP, FLIP", MPM, "quad4", {"interpolation": "gimp", "transfer": "flip", "flip_fraction": 1.0}
-    ),
 )
-JUDGED = {variant.label for variant in VARIANTS if "linear" not in variant.label}
+JUDGED = {variant.label for variant in VARIANTS[:3]}  # APIC dissipates at each of so many steps
 
 
 def collide(variant: Variant, size: float) -> dict[str, np.ndarray]:
@@ -40,6 +38,7 @@ def collide(variant: Variant, size: float) -> dict[str, np.ndarray]:
         lambda size, kind: join([disk(RADIUS, size, kind, centre) for centre in CENTRES]),
         neo_hookean(DENSITY, YOUNG / (3.0 * (1.0 - 2.0 * POISSON)), 0.5 * YOUNG / (1.0 + POISSON)),
         size,
+        cfl=CFL,
         geometry="plane-strain",
         velocity=lambda places: np.where(places.sum(axis=1, keepdims=True) < 1.0, SPEED, -SPEED) * np.ones(2),
     )
@@ -59,8 +58,8 @@ def _state(solver, scale: float) -> tuple[float, ...]:
 
 
 def run(quick: bool) -> Outcome:
-    """All variants at the published size of cells."""
-    done, refused = attempt(VARIANTS, lambda variant: collide(variant, SIZE[quick]))
+    """All variants at the published size of cells; it is always quick."""
+    done, refused = attempt(VARIANTS, lambda variant: collide(variant, SIZE))
     outcome, rows = Outcome(), []
     for label, found in done.items():
         start, lowest, last = found["kinetic"][0], found["kinetic"].min(), found["kinetic"][-1]
@@ -80,14 +79,9 @@ def run(quick: bool) -> Outcome:
         for each in refused
     ]
     head = (
-        "variant",
-        "kinetic at start [J]",
-        "contact felt [s]",
-        "least",
-        "at the end",
-        "balance off by [%]",
-        "momentum",
-    )
+        "variant", "kinetic at start [J]", "contact felt [s]", "least kinetic", "kinetic at the end", "and strain",
+        "balance off by [%]", "momentum",
+    )  # fmt: skip
     note = (
         f"Kinetic energies relative to the start. Round disks have {KINETIC} J and would touch at "
         f"{GEOMETRIC_CONTACT} s; in one velocity field they feel each other as soon as they share nodes, earlier by "
