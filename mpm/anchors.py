@@ -52,8 +52,6 @@ class Anchors:
     ----------
     geometry, shape, grid : of the background. pairs : (axis, node beyond, image) of its symmetry planes.
     points : positions (k, d) [m].
-
-    nodes : (m,) numbers of the nodes.
     """
 
     def __init__(
@@ -85,13 +83,18 @@ class Anchors:
                 f"the loaded surface at ({place}) m has no particle within reach: the body has come apart there; "
                 "use a finer mesh of particles, or take the load off"
             )
-        self.nodes, local = np.unique(numbers[numbers >= 0], return_inverse=True)
+        self._nodes, local = np.unique(numbers[numbers >= 0], return_inverse=True)
         self._local = np.zeros(weights.shape, dtype=np.int64)
         self._local[numbers >= 0] = local
         self._weights = signs * (weights / total)[:, :, None]
         self._records = grid.nodes.reshape(-1, RECORD)
         self._velocities = grid.after.reshape(-1, VELOCITY)
-        self._masses = self._records[self.nodes, MASS]
+        self._masses = self._records[self._nodes, MASS]
+
+    @property
+    def nodes(self) -> np.ndarray:
+        """Numbers (m,) of the nodes."""
+        return self._nodes
 
     def __len__(self) -> int:
         """Number of points."""
@@ -99,11 +102,11 @@ class Anchors:
 
     def before(self, axis: int) -> np.ndarray:
         """The grid's velocity along an axis before the forces at the points (k,) [m/s]."""
-        return self._interpolate(axis, self._records[self.nodes, axis])
+        return self._interpolate(axis, self._records[self._nodes, axis])
 
     def after(self, axis: int) -> np.ndarray:
         """The grid's velocity along an axis after the forces at the points (k,) [m/s]."""
-        return self._interpolate(axis, self._velocities[self.nodes, axis])
+        return self._interpolate(axis, self._velocities[self._nodes, axis])
 
     def jump(self, axis: int) -> float:
         """Kinetic energy of the change of velocity along an axis that these nodes have undergone [J]."""
@@ -116,24 +119,24 @@ class Anchors:
 
     def push(self, axis: int, impulses: np.ndarray) -> None:
         """Change the velocity after the forces by impulses along an axis (k,) [N s] at the points."""
-        self._velocities[self.nodes, axis] += self._spread(axis, impulses) / self._masses
+        self._velocities[self._nodes, axis] += self._spread(axis, impulses) / self._masses
 
     def load(self, axis: int, forces: np.ndarray) -> None:
         """Add forces along an axis (k,) [N] at the points to those on the nodes."""
-        self._records[self.nodes, FORCE + axis] += self._spread(axis, forces)
+        self._records[self._nodes, FORCE + axis] += self._spread(axis, forces)
 
     def even(self, values: np.ndarray) -> np.ndarray:
         """Interpolate values of all nodes of the grid, even across symmetry planes, to the points (k,)."""
-        return (np.abs(self._weights[:, :, 0]) * values[self.nodes][self._local]).sum(axis=1)
+        return (np.abs(self._weights[:, :, 0]) * values[self._nodes][self._local]).sum(axis=1)
 
     def spread_evenly(self, values: np.ndarray) -> np.ndarray:
         """Spread what the points hold (k,) over the nodes (m,), the same way on both sides of symmetry planes."""
         shares = (np.abs(self._weights[:, :, 0]) * values[:, None]).ravel()
-        return np.bincount(self._local.ravel(), weights=shares, minlength=len(self.nodes))
+        return np.bincount(self._local.ravel(), weights=shares, minlength=len(self._nodes))
 
     def _interpolate(self, axis: int, values: np.ndarray) -> np.ndarray:
         return (self._weights[:, :, axis] * values[self._local]).sum(axis=1)
 
     def _spread(self, axis: int, values: np.ndarray) -> np.ndarray:
         shares = (self._weights[:, :, axis] * values[:, None]).ravel()
-        return np.bincount(self._local.ravel(), weights=shares, minlength=len(self.nodes))
+        return np.bincount(self._local.ravel(), weights=shares, minlength=len(self._nodes))
