@@ -53,7 +53,7 @@ class Conduction:
         self._rates = np.zeros(-(-len(cells) // ELEMENT_CHUNK))
         self._supplied = np.zeros(-(-count // NODE_CHUNK))
         self._boundaries(mesh, geometry, loads)
-        self._start()
+        self.start()
 
     def _boundaries(self, mesh: Mesh, geometry: Geometry, loads: tuple[Load, ...]) -> None:
         held, fluxes = thermal_loads(loads)
@@ -65,7 +65,7 @@ class Conduction:
             times_held[nodes] += 1.0
         self._held, self._times_held = times_held > 0.0, np.maximum(times_held, 1.0)
 
-    def _start(self) -> None:
+    def start(self) -> None:
         """Temperatures of the nodes from those of the points, and the first limit of the step."""
         temperature, cells = self._points.old.temperature, self._tables.nodes
         parts = self._capacities.fill(temperature).reshape(len(cells), -1, 1) * self._tables.shape
