@@ -175,6 +175,10 @@ class ExplicitSolver(Readout):
         self._next = (self.positions, self.velocities, self._held)
         self.positions, self.velocities, self._held = x1, v1, held1
         self._middle = middle
+        if self.step_count == 0:
+            # Velocities start at t = 0, not half a step before: what the first stress does to them is half its work.
+            started = body.nodal_forces() * (v1 - self._next[1])
+            self._ledger.initial -= 0.25 * dt * float(started.sum())
         sums = [float(value) for value in self._node_sums.sum(axis=0)]
         self.wall_impulse += sums[IMPULSE]
         self.wall_force = sums[IMPULSE] / middle
