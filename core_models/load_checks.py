@@ -1,5 +1,7 @@
 """Refusals of loads that cannot act on a mesh as asked, with the numbers that show why."""
 
+import math
+
 import numpy as np
 
 from core_models.errors import SceneError
@@ -17,6 +19,7 @@ from core_models.loads import (
     Symmetry,
     Traction,
     at_points,
+    at_time,
     supports,
 )
 from core_models.names import suggestion
@@ -28,6 +31,8 @@ ON_AREAS = Traction | Pressure | HeatFlux | FixedTemperature
 
 def check_loads(loads: tuple[Load, ...], mesh, geometry: Geometry, *, conduction: bool = False) -> None:
     """Refuse what cannot be: unknown boundaries or components, contradictions, tractions on the axis; SceneError."""
+    if not isinstance(loads, tuple | list):
+        raise SceneError(f"loads = {loads!r} is no collection of loads: give a tuple, empty for none")
     for load in loads:
         if not isinstance(load, Load):
             raise SceneError(f"{load!r} is no load: use one of core_models.loads")
@@ -53,10 +58,14 @@ def check_loads(loads: tuple[Load, ...], mesh, geometry: Geometry, *, conduction
 
 
 def damping_of(loads: tuple[Load, ...]) -> Damping | None:
-    """The one damping among the loads, or None; SceneError for two."""
+    """The one damping among the loads, or None; SceneError for two, or for a rate below 0."""
     found = [load for load in loads if isinstance(load, Damping)]
     if len(found) > 1:
         raise SceneError(f"{len(found)} dampings act on the same body: give one, with the sum of the rates")
+    for damping in found:
+        rate = at_time(damping.rate, 0.0)
+        if not 0.0 <= rate < math.inf:
+            raise SceneError(f"Damping: rate = {rate:g} 1/s is out of range: give a finite number from 0")
     return found[0] if found else None
 
 

@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from core_models.errors import SceneError
+
 CURRENT = "current"
 REFERENCE = "reference"
 
@@ -115,15 +117,32 @@ def displaced(boundary: str, component: int, history: Callable[[float], float], 
 
 
 def at_time(value: Any, time: float) -> float:
-    """Value of a number or of a function of time."""
-    return float(value(time)) if callable(value) else float(value)
+    """Value of a number or of a function of time; SceneError for what is no number."""
+    raw = value(time) if callable(value) else value
+    try:
+        return float(raw)
+    except (TypeError, ValueError):
+        raise SceneError(f"a load gives {raw!r} at t = {time:.6g} s: give a number") from None
 
 
 def at_points(value: Any, positions: np.ndarray, time: float, components: int = 0) -> np.ndarray:
-    """Values (n,) or, with `components` d, (n, d) of a constant or a function of position and time."""
+    """Values (n,) or, with `components` d, (n, d) of a constant or a function of position and time.
+
+    Raises SceneError for values of another shape, a single number for a vector among them.
+    """
     raw = value(positions, time) if callable(value) else value
     shape = (len(positions), components) if components else (len(positions),)
-    return np.broadcast_to(np.asarray(raw, dtype=np.float64), shape)
+    allowed = ((components,), shape) if components else ((), shape)
+    try:
+        values = np.asarray(raw, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise SceneError(f"a load gives {raw!r} at t = {time:.6g} s: give numbers") from None
+    if values.shape not in allowed:
+        one = f"a vector of {components} components" if components else "a number"
+        raise SceneError(
+            f"a load gives an array of shape {values.shape} at t = {time:.6g} s: give {one}, or an array {shape}"
+        )
+    return np.broadcast_to(values, shape)
 
 
 def supports(loads: tuple[Load, ...], dimension: int) -> list[Prescribed]:

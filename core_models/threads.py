@@ -20,7 +20,7 @@ class Threads:
 
     def __init__(self, count: int = 1) -> None:
         available = os.cpu_count() or 1
-        if not 1 <= count <= available:
+        if not isinstance(count, int) or not 1 <= count <= available:
             raise SceneError(
                 f"--threads {count}: this machine has {available}; give a number from 1 to {available}"
             )

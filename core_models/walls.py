@@ -42,5 +42,11 @@ def check_wall(name: str) -> str:
 
 
 def as_wall(wall: Wall | str | None) -> Wall | None:
-    """A wall from itself, from the name of its kind (frictionless), or none."""
-    return Wall(wall) if isinstance(wall, str) else wall
+    """A wall from itself, from the name of its kind (frictionless), or none; SceneError for anything else."""
+    if isinstance(wall, str):
+        return Wall(wall)
+    if wall is None or isinstance(wall, Wall):
+        return wall
+    raise SceneError(
+        f"wall = {wall!r} is no wall: give a core_models.walls.Wall, {' or '.join(MEANING)}, or None"
+    )

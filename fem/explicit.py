@@ -82,7 +82,7 @@ class ExplicitSolver(Readout):
             check_between("temperature", temperature, 0.0, math.inf, "K")
         self.geometry = find_geometry(geometry, mesh.dimension)
         self.mesh = axisymmetric(mesh) if geometry in (None, "axisymmetric") and mesh.dimension == 2 else mesh
-        check_loads(tuple(loads), self.mesh, self.geometry, conduction=conduction)
+        check_loads(loads, self.mesh, self.geometry, conduction=conduction)
         self.material, self.wall, self.safety = material, as_wall(wall), safety
         self.cure = find_cure(cure, mesh.kind, integration)
         self.threads = Threads(threads)

@@ -8,7 +8,7 @@ from core_models.bulk_viscosity import BulkViscosity
 from core_models.errors import SceneError
 from core_models.geometry import Geometry
 from core_models.material import Material
-from core_models.points import MaterialPoints
+from core_models.points import MaterialPoints, PointFailure
 from core_models.threads import Threads
 from meshes.mesh import Mesh
 from mpm.configurations import Total, Updated
@@ -124,7 +124,12 @@ class Body:
         change = initial_gradients(displacement, reference, self.geometry) - np.eye(3)
         for stage in range(1, STAGES + 1):
             self.points.deformation_gradient[:] = np.eye(3) + stage / STAGES * change
-            self.stored_energy += self.points.advance(1.0).stress
+            try:
+                self.stored_energy += self.points.advance(1.0).stress
+            except PointFailure as reason:
+                raise SceneError(
+                    f"the initial displacement cannot be: {reason} at particle {reason.point}: make it smaller"
+                ) from None
             self.points.accept()
         self.volume_ratio = self.points.volume_ratio
 

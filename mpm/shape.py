@@ -5,7 +5,9 @@ from functools import cached_property
 
 import numpy as np
 
+from core_models.errors import SceneError
 from core_models.geometry import Axisymmetric, Geometry
+from core_models.names import suggestion
 from mpm.particles import Faces
 
 # Of the body's size: reference corners nearer than this are one. No mesh has nodes at odd multiples of half of it.
@@ -83,5 +85,7 @@ class Boundary:
         return lines
 
     def corners(self, name: str, positions: np.ndarray, deformation_gradient: np.ndarray) -> np.ndarray:
-        """Current positions (k, d) [m] of the points of a boundary, each once."""
+        """Current positions (k, d) [m] of the points of a boundary, each once; SceneError for an unknown one."""
+        if name not in self._numbers[2]:
+            raise SceneError(f"the body has no boundary {name!r}; {suggestion(name, self._numbers[2])}")
         return self._points(positions, deformation_gradient)[np.unique(self._numbers[2][name])]

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from core_models.errors import SceneError
 from core_models.geometry import Geometry
 from core_models.loads import Load, Prescribed, at_points, supports
 from mpm.anchors import Anchors
@@ -50,6 +51,12 @@ class Supports:
         self._dimension = particles.positions.shape[1]
         held = supports(loads, self._dimension)
         self.names = list(dict.fromkeys(load.boundary for load in held))
+        for name in self.names:
+            if name not in particles.faces:
+                raise SceneError(
+                    f"the support on {name!r} holds the axis r = 0, where particles have no faces: take it off (the "
+                    "axis is held radially without), or support another boundary"
+                )
         self._surfaces = {
             name: Surface(particles.faces[name], particles.positions, geometry) for name in self.names
         }

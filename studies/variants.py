@@ -49,13 +49,13 @@ class Variant:
 
 def read_variant(name: str) -> Variant:
     """The variant of that name; SceneError for an unknown solver or word, with the nearest one."""
-    solver, _, words = name.partition(":")
+    solver, colon, words = name.partition(":")
     if solver not in WORDS:
         raise SceneError(f"unknown method '{solver}'; {suggestion(solver, WORDS)}")
     option_of = {word: option for option, known in WORDS[solver].items() for word in known}
     option_of[SPATIAL] = KIND
     given: dict[str, str] = {}
-    for word in words.split("+") if words else []:
+    for word in words.split("+") if colon else []:
         if word not in option_of:
             raise SceneError(f"{name}: {solver} knows no '{word}'; {suggestion(word, option_of)}")
         option = option_of[word]
