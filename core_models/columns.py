@@ -5,104 +5,139 @@ import numpy as np
 from core_models.compilation import inside_kernel
 from core_models.dispatch import generic
 from core_models.rows import (
+    BALANCE,
     DAMAGE,
     ELASTIC,
     ENERGY,
     F0,
     F1,
     HARDENING,
-    LEFT_STRETCH,
     LENGTH,
     PLASTIC_STRAIN,
-    ROTATION,
+    ROTATION_0,
+    ROTATION_1,
     STRESS,
     TEMPERATURE,
     get,
     get_symmetric,
-    get_tensor,
+    get_vector,
     put,
     put_symmetric,
-    put_tensor,
 )
-from core_models.state import PointState, store_point
-from core_models.tensors import load_symmetric, load_tensor
+from core_models.state import PointState
+
+TOGETHER = 8  # points that are brought together: their numbers share a cache line of each row
 
 
 @generic
-def bring(field, i, rows, row, k):
-    """Copy the number of point i to column k of a row; 0 for a field that does not exist, whatever stood there."""
+def bring(field, start, count, rows, row):
+    """Copy the numbers of points start ... to a row; 0 for a field that does not exist, whatever stood there."""
 
 
 @bring.register(np.ndarray)
-def _(field, i, rows, row, k):
-    put(rows, row, k, field[i])
+def _(field, start, count, rows, row):
+    for k in range(count):
+        put(rows, row, k, field[np.uint64(start + k)])
 
 
 @bring.register(type(None))
-def _(field, i, rows, row, k):
-    put(rows, row, k, 0.0)
+def _(field, start, count, rows, row):
+    for k in range(count):
+        put(rows, row, k, 0.0)
 
 
 @generic
-def bring_symmetric(field, i, rows, row, k):
-    """Copy the symmetric tensor of point i to column k of six rows, if the field exists."""
+def bring_tensors(field, start, count, rows, row, size):
+    """Copy tensors, or vectors, of points start ... to as many rows as they have components, if the field exists."""
 
 
-@bring_symmetric.register(np.ndarray)
-def _(field, i, rows, row, k):
-    put_symmetric(rows, row, k, load_symmetric(field, i))
+@bring_tensors.register(np.ndarray)
+def _(field, start, count, rows, row, size):
+    whole = count - count % TOGETHER
+    for first in range(0, whole, TOGETHER):
+        for j in range(size):
+            for k in range(TOGETHER):
+                put(rows, row + j, first + k, field[np.uint64(start + first + k), np.uint64(j)])
+    for k in range(whole, count):
+        for j in range(size):
+            put(rows, row + j, k, field[np.uint64(start + k), np.uint64(j)])
 
 
-@bring_symmetric.register(type(None))
-def _(field, i, rows, row, k):
+@bring_tensors.register(type(None))
+def _(field, start, count, rows, row, size):
     return
 
 
 @generic
-def bring_tensor(field, i, rows, row, k):
-    """Copy the tensor of point i to column k of nine rows, if the field exists."""
+def take(field, start, count, rows, row):
+    """Copy a row to the numbers of points start ...; nothing where the field does not exist."""
 
 
-@bring_tensor.register(np.ndarray)
-def _(field, i, rows, row, k):
-    put_tensor(rows, row, k, load_tensor(field, i))
+@take.register(np.ndarray)
+def _(field, start, count, rows, row):
+    for k in range(count):
+        field[np.uint64(start + k)] = get(rows, row, k)
 
 
-@bring_tensor.register(type(None))
-def _(field, i, rows, row, k):
+@take.register(type(None))
+def _(field, start, count, rows, row):
+    return
+
+
+@generic
+def take_tensors(field, start, count, rows, row, size):
+    """Copy rows to the tensors, or vectors, of points start ...; nothing where the field does not exist."""
+
+
+@take_tensors.register(np.ndarray)
+def _(field, start, count, rows, row, size):
+    for k in range(count):
+        for j in range(size):
+            field[np.uint64(start + k), np.uint64(j)] = get(rows, row + j, k)
+
+
+@take_tensors.register(type(None))
+def _(field, start, count, rows, row, size):
     return
 
 
 @inside_kernel
-def gather(rows, k, f0, f1, lengths, old, i):
-    """Bring point i to column k of the rows."""
-    bring_tensor(f0, i, rows, F0, k)
-    bring_tensor(f1, i, rows, F1, k)
-    bring(lengths, i, rows, LENGTH, k)
-    bring_symmetric(old.stress, i, rows, STRESS, k)
-    bring_tensor(old.rotation, i, rows, ROTATION, k)
-    bring_symmetric(old.left_stretch, i, rows, LEFT_STRETCH, k)
-    bring_symmetric(old.elastic_left_cauchy_green, i, rows, ELASTIC, k)
-    bring(old.equivalent_plastic_strain, i, rows, PLASTIC_STRAIN, k)
-    bring(old.hardening_variable, i, rows, HARDENING, k)
-    bring(old.temperature, i, rows, TEMPERATURE, k)
-    bring(old.damage, i, rows, DAMAGE, k)
-    bring(old.internal_energy, i, rows, ENERGY, k)
+def gather(rows, start, count, f0, f1, lengths, old):
+    """Bring points start ... to the rows: deformation gradients (n, 9), lengths (n,) and state before the step."""
+    bring_tensors(f0, start, count, rows, F0, 9)
+    bring_tensors(f1, start, count, rows, F1, 9)
+    bring(lengths, start, count, rows, LENGTH)
+    bring_tensors(old.stress, start, count, rows, STRESS, 6)
+    bring_tensors(old.rotation, start, count, rows, ROTATION_0, 3)
+    bring_tensors(old.elastic_left_cauchy_green, start, count, rows, ELASTIC, 6)
+    bring(old.equivalent_plastic_strain, start, count, rows, PLASTIC_STRAIN)
+    bring(old.hardening_variable, start, count, rows, HARDENING)
+    bring(old.temperature, start, count, rows, TEMPERATURE)
+    bring(old.damage, start, count, rows, DAMAGE)
+    bring(old.internal_energy, start, count, rows, ENERGY)
 
 
 @inside_kernel
-def scatter(rows, k, new, i):
-    """Write column k of the rows to the state of point i."""
-    store_point(new, i, get_point(rows, k))
+def scatter(rows, start, count, new, wave_speed, viscous):
+    """Write the rows to points start ...: state after the step, wave speed (n,) and viscous pressure (n,)."""
+    take_tensors(new.stress, start, count, rows, STRESS, 6)
+    take_tensors(new.rotation, start, count, rows, ROTATION_1, 3)
+    take_tensors(new.elastic_left_cauchy_green, start, count, rows, ELASTIC, 6)
+    take(new.equivalent_plastic_strain, start, count, rows, PLASTIC_STRAIN)
+    take(new.hardening_variable, start, count, rows, HARDENING)
+    take(new.temperature, start, count, rows, TEMPERATURE)
+    take(new.damage, start, count, rows, DAMAGE)
+    take(new.internal_energy, start, count, rows, ENERGY)
+    take(wave_speed, start, count, rows, BALANCE)
+    take(viscous, start, count, rows, BALANCE + 1)
 
 
 @inside_kernel
 def get_point(rows, k):
-    """State of point k."""
+    """State of point k; its rotation is that before the step."""
     return PointState(
         get_symmetric(rows, STRESS, k),
-        get_tensor(rows, ROTATION, k),
-        get_symmetric(rows, LEFT_STRETCH, k),
+        get_vector(rows, ROTATION_0, k),
         get_symmetric(rows, ELASTIC, k),
         get(rows, PLASTIC_STRAIN, k),
         get(rows, HARDENING, k),
@@ -114,7 +149,7 @@ def get_point(rows, k):
 
 @inside_kernel
 def put_point(rows, k, point):
-    """Write the state of point k, but for rotation and stretch, which the prediction writes."""
+    """Write the state of point k, but for its rotation, which the prediction writes."""
     put_symmetric(rows, STRESS, k, point.stress)
     put_symmetric(rows, ELASTIC, k, point.elastic_left_cauchy_green)
     put(rows, PLASTIC_STRAIN, k, point.equivalent_plastic_strain)

@@ -5,7 +5,7 @@ import math
 from core_models.columns import gather, get_point, scatter
 from core_models.compilation import CHUNK, inside_kernel, material_kernel
 from core_models.laws import advance_rows
-from core_models.state import write
+from core_models.rows import BLOCK
 from core_models.status import NOT_FINITE, OK
 from core_models.updates.balance import get_balance
 
@@ -36,7 +36,7 @@ def advance_points(
     Parameters
     ----------
     first, last : range of chunks of CHUNK points. workspace : the thread's own `Workspace` (core_models.rows).
-    model, viscosity : laws. f0, f1 : (n, 3, 3) deformation gradient before and after. dt : [s].
+    model, viscosity : laws. f0, f1 : (n, 9) deformation gradient before and after. dt : [s].
     volumes : (n,) reference volumes [m^3]. lengths : (n,) characteristic lengths [m].
     old, new : `State`. wave_speed (n,) [m/s] and viscous (n,) [Pa] or None are written.
     sums : (chunks, 5) stress work, plastic and viscous dissipation [J], largest wave speed [m/s] and viscous
@@ -45,27 +45,23 @@ def advance_points(
     n = f1.shape[0]
     rows, statuses = workspace
     for chunk in range(first, last):
-        start = chunk * CHUNK
-        count = min(CHUNK, n - start)
-        for k in range(count):
-            gather(rows, k, f0, f1, lengths, old, start + k)
-        advance_rows(model.update, rows, statuses, count, start, model, viscosity, f0, f1, dt, old)
         for column in range(sums.shape[1]):
             sums[chunk, column] = 0.0
         failures[chunk, 0] = OK
-        for k in range(count):
-            i = start + k
-            if statuses[k] == OK:
+        end = min((chunk + 1) * CHUNK, n)
+        for start in range(chunk * CHUNK, end, BLOCK):
+            count = min(BLOCK, end - start)
+            gather(rows, start, count, f0, f1, lengths, old)
+            advance_rows(model.update, rows, statuses, count, model, viscosity, dt)
+            scatter(rows, start, count, new, wave_speed, viscous)
+            for k in range(count):
                 balance = get_balance(rows, k)
-                scatter(rows, k, new, i)
-                wave_speed[i] = balance.wave_speed
-                write(viscous, i, balance.viscous_pressure)
-                add_balance(sums, chunk, volumes[i], balance)
-                if not is_finite(balance, get_point(rows, k)):
+                add_balance(sums, chunk, volumes[start + k], balance)
+                if statuses[k] == OK and not is_finite(balance, get_point(rows, k)):
                     statuses[k] = NOT_FINITE
-            if statuses[k] != OK and failures[chunk, 0] == OK:
-                failures[chunk, 0] = statuses[k]
-                failures[chunk, 1] = i
+                if statuses[k] != OK and failures[chunk, 0] == OK:
+                    failures[chunk, 0] = statuses[k]
+                    failures[chunk, 1] = start + k
 
 
 @inside_kernel

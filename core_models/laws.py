@@ -64,19 +64,36 @@ def _(flow, density_ratio, pressure, melting):
 
 
 @generic
-def return_to_surface(
+def guess_increment(
     yield_condition, flow, trial, shear_3, stress_before, plastic_strain, hardening_variable, over_dt, temperature,
-    tolerance,
+):  # fmt: skip
+    """Increment of equivalent plastic strain [-] for `return_to_surface` to begin with, >= 0.
+
+    Parameters
+    ----------
+    trial, stress_before : equivalent stress of the trial and before the step [Pa].
+    shear_3 : three times the shear modulus that the return works against [Pa].
+    plastic_strain, hardening_variable, temperature : state before the step. over_dt : 1 / dt [1/s].
+    """
+
+
+@guess_increment.register(type(None))
+def _(
+    yield_condition, flow, trial, shear_3, stress_before, plastic_strain, hardening_variable, over_dt, temperature,
+):  # fmt: skip
+    return 0.0
+
+
+@generic
+def return_to_surface(
+    yield_condition, flow, guess, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, tolerance,
 ):  # fmt: skip
     """Return an equivalent trial stress to the yield surface, in a straight line of arithmetic as far as that does.
 
     Parameters
     ----------
-    trial : equivalent trial stress [Pa].
-    shear_3 : three times the shear modulus that the return works against [Pa].
-    stress_before : equivalent stress before the step [Pa], for a first guess.
-    plastic_strain, hardening_variable, temperature : state before the step.
-    over_dt : 1 / dt [1/s]. tolerance : relative, of the consistency condition.
+    guess : of `guess_increment`, which also says what the others are.
+    tolerance : relative, of the consistency condition.
 
     Returns
     -------
@@ -87,8 +104,7 @@ def return_to_surface(
 
 @return_to_surface.register(type(None))
 def _(
-    yield_condition, flow, trial, shear_3, stress_before, plastic_strain, hardening_variable, over_dt, temperature,
-    tolerance,
+    yield_condition, flow, guess, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, tolerance,
 ):  # fmt: skip
     return 1.0, 0.0, 0.0, hardening_variable, OK
 
@@ -197,14 +213,13 @@ def _(erosion, damage, deviator, mean_stress):
 
 
 @generic
-def advance_rows(update, rows, statuses, count, start, model, viscosity, f0, f1, dt, old):
+def advance_rows(update, rows, statuses, count, model, viscosity, dt):
     """A step of the points that have been brought to the rows of a workspace (core_models.rows).
 
     Parameters
     ----------
     update : the stress update. rows, statuses : of a `Workspace`; state and balance after the step are left in the
-    rows, the status of each point in `statuses`. count : points in the rows; start : number of the first one.
-    model, viscosity : laws. f0, f1, old : arrays of all points, for what needs another look. dt : [s].
+    rows, the status of each point in `statuses`. count : points in the rows. model, viscosity : laws. dt : [s].
     """
 
 
@@ -219,8 +234,8 @@ def predict(update, material, f0, f1, point):
 
     Returns
     -------
-    (status, `Prediction`, rotation, left stretch) - the last two as far as the update has them; the status UNSETTLED
-    leaves the point to `predict_carefully`
+    (status, `Prediction`, rotation as far as the update has it); the status UNSETTLED leaves the point to
+    `predict_carefully`
     """
 
 

@@ -12,7 +12,8 @@ class EnergyLedger:
     velocities between particles and grid has lost (0 in the finite element method). contact : what the wall's normal
     impulses have taken out, - impulse times mean velocity; friction : what its tangential ones have. hourglass : held
     by the hourglass control of one-point elements. damping : taken out by mass-proportional damping. external : work
-    done on the body by loads and prescribed motion. initial : kinetic and strain energy at the start.
+    done on the body by loads and prescribed motion. initial : kinetic and strain energy at the start. heat : conducted
+    into the body through its boundary; it changes temperatures only and stands apart from the balance.
 
     The balance: initial + external = kinetic + strain + plastic + viscosity + transfer + contact + friction +
     hourglass + damping.
@@ -29,6 +30,7 @@ class EnergyLedger:
     hourglass: float = 0.0
     damping: float = 0.0
     external: float = 0.0
+    heat: float = 0.0
 
     @property
     def total(self) -> float:

@@ -23,6 +23,7 @@ from core_models.names import suggestion
 
 FLAT = 1e-9  # largest departure of a symmetry boundary from its plane, as a part of the body's size
 AXES = "xyz"
+ON_AREAS = Traction | Pressure | HeatFlux | FixedTemperature
 
 
 def check_loads(loads: tuple[Load, ...], mesh, geometry: Geometry, *, conduction: bool = False) -> None:
@@ -46,7 +47,7 @@ def check_loads(loads: tuple[Load, ...], mesh, geometry: Geometry, *, conduction
             symmetry_plane(mesh, name)
         if isinstance(load, FixedTemperature | HeatFlux) and not conduction:
             raise SceneError(f"{type(load).__name__} on {name!r} does nothing without conduction: turn it on")
-        if isinstance(load, Traction | Pressure | HeatFlux) and isinstance(geometry, Axisymmetric):
+        if isinstance(load, ON_AREAS) and isinstance(geometry, Axisymmetric):
             _refuse_axis(load, mesh)
     _refuse_contradictions(loads, mesh, geometry)
 

@@ -20,7 +20,6 @@ from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 UNITS = {
     "stress": "Pa",
     "rotation": "1",
-    "left_stretch": "1",
     "elastic_left_cauchy_green": "1",
     "equivalent_plastic_strain": "1",
     "hardening_variable": "Pa",
@@ -107,10 +106,11 @@ class MaterialPoints:
 
         Raises PointFailure naming the first point that cannot follow.
         """
+        before, after = self.old_deformation_gradient, self.deformation_gradient
         self.threads.run_with(
             advance_points, len(self._sums), self._workspaces, self.model, self.viscosity,
-            self.old_deformation_gradient, self.deformation_gradient, dt, self.reference_volumes, self.lengths,
-            self.old, self.new, self.wave_speed, self._new_viscous_pressure, self._sums, self._failures,
+            before.reshape(self.n, 9), after.reshape(self.n, 9), dt, self.reference_volumes, self.lengths, self.old,
+            self.new, self.wave_speed, self._new_viscous_pressure, self._sums, self._failures,
         )  # fmt: skip
         bad = np.flatnonzero(self._failures[:, 0] != OK)
         if bad.size:
@@ -166,13 +166,11 @@ def initial_state(material: Material, n: int, temperature: float, conduction: bo
 
     hypo = isinstance(material.update, HypoelasticPlastic)
     hyper = isinstance(material.update, HyperelasticPlastic)
-    unit = np.tile([1.0, 1.0, 1.0, 0.0, 0.0, 0.0], (n, 1))
     variable = getattr(material.flow, "hardening_variable", None)
     return State(
         stress=np.zeros((n, 6)),
-        rotation=np.tile(np.eye(3), (n, 1, 1)) if hypo else None,
-        left_stretch=unit.copy() if hypo else None,
-        elastic_left_cauchy_green=unit.copy() if hyper else None,
+        rotation=np.zeros((n, 3)) if hypo else None,
+        elastic_left_cauchy_green=np.tile([1.0, 1.0, 1.0, 0.0, 0.0, 0.0], (n, 1)) if hyper else None,
         equivalent_plastic_strain=scalar(material.flow is not None),
         hardening_variable=scalar(variable is not None, variable or 0.0),
         temperature=scalar(material.needs_temperature or conduction, temperature),

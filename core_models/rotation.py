@@ -1,43 +1,32 @@
-"""Incremental update of the rotation R and the left stretch V in F = V R (Flanagan & Taylor 1987).
+"""Incremental update of the rotation R in F = V R (Flanagan & Taylor 1987).
 
-No polar decomposition is made: the rotation of the step before is turned by the increment that makes V symmetric,
+No polar decomposition is made: the rotation of the step before is turned by the increment Q that makes U symmetric in
 
-    (tr V 1 - V) w = axial(A - A^T),   A = F R^T,
+    A = F R^T = Q U,   (tr U 1 - U) w = axial(A - A^T),
 
-which is Flanagan and Taylor's equation for the spin of the stretch's axes, applied to the finite step and repeated
-until A is symmetric to round-off (once or twice in an explicit step). V and R therefore never drift away from F.
+which is Flanagan and Taylor's equation for the spin of the stretch's axes, applied to the finite step. With the
+symmetric part of A for U it gives Q up to the third power of its angle, and a second time, on what is left of the
+asymmetry, to round-off. R therefore never drifts away from F.
 Source: Flanagan & Taylor, Comput. Methods Appl. Mech. Eng. 62 (1987) 305, eqs. 13-17.
 """
 
 import math
 
 from core_models.compilation import beside_kernel, inside_kernel
+from core_models.quaternions import quaternion_of_matrix, rotation_matrix, turned
 from core_models.tensors import (
-    IDENTITY,
     determinant,
     inverse,
-    product,
-    product_transposed,
     symmetric_inverse,
     symmetric_part,
+    transposed_product,
 )
 
-SYMMETRY_TOLERANCE = 1e-13  # of |A - A^T| relative to tr V; round-off of A itself is some 1e-16
+NO_ROTATION = (1.0, 0.0, 0.0, 0.0)
+SYMMETRY_TOLERANCE = 1e-13  # of |A - A^T| relative to tr U; round-off of A itself is some 1e-16
+SMALL_SQUARE = 1e-13  # of an angle whose square is as good as 0
 MAXIMUM_INCREMENTS = 12
 LARGE_ROTATION = 0.75  # of tr(A)^2 / |A|^2: below it the step turns by some 75 degrees or more
-
-
-@inside_kernel
-def cayley_rotation(wx, wy, wz):
-    """Rotation about the vector w by the angle 2 atan(|w|/2): Q = 1 + (W + W^2/2) / (1 + |w|^2/4)."""
-    xx, yy, zz = wx * wx, wy * wy, wz * wz
-    g = 1.0 / (1.0 + 0.25 * (xx + yy + zz))
-    h = 0.5 * g
-    return (
-        1.0 - h * (yy + zz), h * wx * wy - g * wz, h * wx * wz + g * wy,
-        h * wx * wy + g * wz, 1.0 - h * (xx + zz), h * wy * wz - g * wx,
-        h * wx * wz - g * wy, h * wy * wz + g * wx, 1.0 - h * (xx + yy),
-    )  # fmt: skip
 
 
 @inside_kernel
@@ -61,33 +50,54 @@ def polar_rotation(f):
 
 @inside_kernel
 def planar_increment(a):
-    """Increment and stretch of a = V Q about the third axis, in closed form: tan(angle) = (a21 - a12) / (a11 + a22)."""
+    """Increment and stretch of a = Q U about the third axis, in closed form: tan(angle) = (a21 - a12) / (a11 + a22)."""
     c, s = a[0] + a[4], a[3] - a[1]
     h = 1.0 / math.sqrt(c * c + s * s)
     c, s = c * h, s * h
-    q = (c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0)
-    return q, (a[0] * c - a[1] * s, a[3] * s + a[4] * c, a[8], a[0] * s + a[1] * c, 0.0, 0.0)
+    q = (1.0 + c, 0.0, 0.0, s) if c > 0.0 else (s, 0.0, 0.0, 1.0 - c)
+    return q, (c * a[0] + s * a[3], c * a[4] - s * a[1], a[8], c * a[1] + s * a[4], 0.0, 0.0)
 
 
 @inside_kernel
-def asymmetry_solver(a):
-    """Inverse of tr V 1 - V for V = sym(a)."""
-    return symmetric_inverse(
+def large_increment(a):
+    """Increment and stretch of a = Q U by the polar decomposition."""
+    q = quaternion_of_matrix(polar_rotation(a))
+    return q, symmetric_part(transposed_product(rotation_matrix(q), a))
+
+
+@inside_kernel
+def asymmetry(a):
+    """Axial vector of a - a^T."""
+    return (a[7] - a[5], a[2] - a[6], a[3] - a[1])
+
+
+@inside_kernel
+def symmetrising_vector(a):
+    """The vector w that turns a towards symmetry: by 2 atan(|w|/2), which is |w| to second order."""
+    x, y, z = asymmetry(a)
+    g = symmetric_inverse(
         (
             a[4] + a[8], a[0] + a[8], a[0] + a[4],
             -0.5 * (a[1] + a[3]), -0.5 * (a[5] + a[7]), -0.5 * (a[2] + a[6]),
         )
     )  # fmt: skip
-
-
-@inside_kernel
-def symmetrising_rotation(g, x, y, z):
-    """Rotation that removes the asymmetry (x, y, z), to first order."""
-    return cayley_rotation(
+    return (
         g[0] * x + g[3] * y + g[5] * z,
         g[3] * x + g[1] * y + g[4] * z,
         g[5] * x + g[4] * y + g[2] * z,
     )
+
+
+@inside_kernel
+def turning(w):
+    """Quaternion of the rotation by 2 atan(|w|/2) about w."""
+    return (1.0, 0.5 * w[0], 0.5 * w[1], 0.5 * w[2])
+
+
+@inside_kernel
+def is_definite(u):
+    """Whether a symmetric tensor that has a positive determinant is positive definite."""
+    return u[0] > 0.0 and u[0] * u[1] > u[3] * u[3]
 
 
 @inside_kernel
@@ -101,61 +111,62 @@ def turns_far(a):
 
 
 @inside_kernel
-def small_rotation_increment(f, rotation):
-    """The same as `rotation_increment` in a straight line of two increments, for the rotation of an explicit step.
+def slightly_turned(s, w):
+    """Symmetric part of (1 + [w])^T s for a symmetric tensor s and a small w, to first order."""
+    x, y, z = w
+    return (
+        s[0] + z * s[3] - y * s[5],
+        s[1] + x * s[4] - z * s[3],
+        s[2] + y * s[5] - x * s[4],
+        s[3] + 0.5 * (x * s[5] - y * s[4] + z * (s[1] - s[0])),
+        s[4] + 0.5 * (y * s[3] - z * s[5] + x * (s[2] - s[1])),
+        s[5] + 0.5 * (z * s[4] - x * s[3] + y * (s[0] - s[2])),
+    )
+
+
+@inside_kernel
+def small_rotation_increment(a):
+    """The same as `rotation_increment` in a straight line, for the rotation of an explicit step, up to half a degree.
 
     Returns
     -------
-    Q, V and whether they are right.
+    Q, U and whether they are right.
     """
-    a = product_transposed(f, rotation)
-    limit = SYMMETRY_TOLERANCE * (a[0] + a[4] + a[8])
-    is_small = not turns_far(a)
-    first = symmetrising_rotation(asymmetry_solver(a), a[7] - a[5], a[2] - a[6], a[3] - a[1])
-    a = product_transposed(a, first)
-    second = symmetrising_rotation(asymmetry_solver(a), a[7] - a[5], a[2] - a[6], a[3] - a[1])
-    a = product_transposed(a, second)
-    v = symmetric_part(a)
-    is_symmetric = abs(a[7] - a[5]) + abs(a[2] - a[6]) + abs(a[3] - a[1]) <= limit
-    is_definite = v[0] > 0.0 and v[0] * v[1] > v[3] * v[3]
-    return product(second, first), v, is_small and is_symmetric and is_definite
+    first = turning(symmetrising_vector(a))
+    rest = transposed_product(rotation_matrix(first), a)
+    w = symmetrising_vector(rest)
+    u = slightly_turned(symmetric_part(rest), w)
+    is_small = w[0] * w[0] + w[1] * w[1] + w[2] * w[2] <= SMALL_SQUARE
+    return turned(first, turning(w)), u, is_small and is_definite(u)
 
 
 @beside_kernel
-def rotation_increment(f, rotation):
-    """Increment Q of the rotation and new left stretch V: f = V (Q rotation).
+def rotation_increment(a):
+    """Increment Q of the rotation and stretch U: a = Q U.
 
     Parameters
     ----------
-    f : deformation gradient after the step, det f > 0.
-    rotation : rotation before the step.
+    a : F R^T of the deformation gradient F after the step, det F > 0, and the rotation R before it.
 
     Returns
     -------
-    Q : rotation increment; V : left stretch (six components).
+    Q : quaternion (core_models.quaternions); U : stretch seen in the frame before the step (six components).
     """
-    a = product_transposed(f, rotation)
     if a[2] == 0.0 and a[5] == 0.0 and a[6] == 0.0 and a[7] == 0.0:
         return planar_increment(a)
     if turns_far(a):
-        q = polar_rotation(a)
-        return q, symmetric_part(product_transposed(a, q))
-    q = IDENTITY
-    solver = asymmetry_solver(a)
+        return large_increment(a)
+    rest, q = a, NO_ROTATION
     limit = SYMMETRY_TOLERANCE * (a[0] + a[4] + a[8])
-    for increment in range(MAXIMUM_INCREMENTS):
-        x, y, z = a[7] - a[5], a[2] - a[6], a[3] - a[1]
+    for _increment in range(MAXIMUM_INCREMENTS):
+        x, y, z = asymmetry(rest)
         if abs(x) + abs(y) + abs(z) <= limit:
             break
-        if increment > 2:
-            solver = asymmetry_solver(a)
-        step = symmetrising_rotation(solver, x, y, z)
-        a = product_transposed(a, step)
-        q = product(step, q) if increment > 0 else step
-    v = symmetric_part(a)
-    if v[0] > 0.0 and v[0] * v[1] > v[3] * v[3]:
-        return q, v
-    # A large stretch and a large rotation in one step: the increments have found another symmetric V.
-    a = product_transposed(f, rotation)
-    q = polar_rotation(a)
-    return q, symmetric_part(product_transposed(a, q))
+        step = turning(symmetrising_vector(rest))
+        rest = transposed_product(rotation_matrix(step), rest)
+        q = turned(q, step)
+    u = symmetric_part(rest)
+    if is_definite(u):
+        return q, u
+    # A large stretch and a large rotation in one step: the increments have found another symmetric U.
+    return large_increment(a)

@@ -1,4 +1,4 @@
-"""The workspace of a thread: every number of a point in a row of its own, over the points of a chunk.
+"""The workspace of a thread: every number of a point in a row of its own, over a block of points.
 
 The arrays of a `State` hold the components of a tensor side by side; here those of neighbouring points are, and all
 distances are constants. The compiler then takes several points per instruction wherever a loop runs over k without
@@ -9,15 +9,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from core_models.compilation import CHUNK, inside_kernel
+from core_models.compilation import inside_kernel
 
-# First row of each quantity. The loops read F and the state before, and leave the state after in the same rows.
+# First row of each quantity. The loops read F and the state before, and leave the state after in the same rows, but
+# for the rotation.
 F0, F1 = 0, 9
-STRESS, ROTATION, LEFT_STRETCH, ELASTIC = 18, 24, 33, 39
-PLASTIC_STRAIN, HARDENING, TEMPERATURE, DAMAGE, ENERGY = 45, 46, 47, 48, 49
-PREDICTION, CORRECTION, BALANCE, LENGTH = 50, 63, 67, 72
-ROWS = 73
-STRIDE = CHUNK + 8  # a cache line more, lest all rows fall in the same few places of the cache
+STRESS, ROTATION_0, ROTATION_1, ELASTIC = 18, 24, 27, 30
+PLASTIC_STRAIN, HARDENING, TEMPERATURE, DAMAGE, ENERGY = 36, 37, 38, 39, 40
+PREDICTION, GUESS, CORRECTION, BALANCE, LENGTH = 41, 54, 55, 59, 64
+ROWS = 65
+BLOCK = 32  # points that are advanced together: their rows stay in the nearest cache
+STRIDE = BLOCK + 8  # a cache line more, lest all rows fall in the same few places of the cache
 
 
 class Workspace(NamedTuple):
@@ -29,7 +31,7 @@ class Workspace(NamedTuple):
 
 def make_workspace() -> Workspace:
     """A workspace for one thread."""
-    return Workspace(np.zeros(ROWS * STRIDE), np.zeros(CHUNK, dtype=np.int64))
+    return Workspace(np.zeros(ROWS * STRIDE), np.zeros(BLOCK, dtype=np.int64))
 
 
 @inside_kernel
@@ -43,6 +45,20 @@ def get(rows, row, k):
 def put(rows, row, k, value):
     """Write the number of point k in a row."""
     rows[np.uint64(row * STRIDE + k)] = value
+
+
+@inside_kernel
+def get_vector(rows, row, k):
+    """Vector of point k in three rows."""
+    return (get(rows, row, k), get(rows, row + 1, k), get(rows, row + 2, k))
+
+
+@inside_kernel
+def put_vector(rows, row, k, v):
+    """Write the vector of point k in three rows."""
+    put(rows, row, k, v[0])
+    put(rows, row + 1, k, v[1])
+    put(rows, row + 2, k, v[2])
 
 
 @inside_kernel

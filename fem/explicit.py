@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from core_models.arguments import check_between
 from core_models.bulk_viscosity import BulkViscosity
-from core_models.errors import SceneError, UnsupportedError
+from core_models.errors import SceneError
 from core_models.geometry import find_geometry
 from core_models.ledger import EnergyLedger
 from core_models.load_checks import check_loads, damping_of
@@ -19,6 +19,7 @@ from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.threads import Threads
 from core_models.walls import Wall, as_wall
 from fem.body import Body
+from fem.conduction import Conduction
 from fem.cures.choice import find_cure
 from fem.elements import FULL
 from fem.external import ExternalForces
@@ -44,10 +45,11 @@ class ExplicitSolver(Readout):
     displacement : initial [m], a function of positions (n, d), or None; the body starts with the stress of it.
     temperature : initial [K], None for the material's. loads : of `core_models.loads`.
     wall : None, 'unilateral', 'plane' or a `Wall`. viscosity : BulkViscosity or None. threads : number of threads.
-    conduction : of heat. integration : 'full' or 'reduced' (one point in quad4 and hex8, two along each edge of quad8
-    and hex20). cure : against locking: None for the element's own, 'none', 'mean-dilatation', 'linear-dilatation'
-    (quadratic quads and hexahedra), 'nodal-average' (tri3, tet4). hourglass : coefficient of the hourglass control of
-    one-point elements, in (0, 1]. safety : part of the estimated stable step that is taken, in (0, 1].
+    conduction : whether heat is conducted (core_models.conduction), else the body is adiabatic.
+    integration : 'full' or 'reduced' (one point in quad4 and hex8, two along each edge of quad8 and hex20).
+    cure : against locking: None for the element's own, 'none', 'mean-dilatation', 'linear-dilatation' (quadratic
+    quads and hexahedra), 'nodal-average' (tri3, tet4). hourglass : coefficient of the hourglass control of one-point
+    elements, in (0, 1]. safety : part of the estimated stable step that is taken, in (0, 1].
 
     `advance` makes one step: motion of the nodes -> kinematics -> points -> nodal forces.
     Raises SceneError, MeshError or UnsupportedError for what cannot be.
@@ -78,11 +80,9 @@ class ExplicitSolver(Readout):
         check_between("hourglass", hourglass, 0.0, 1.0)
         if temperature is not None:
             check_between("temperature", temperature, 0.0, math.inf, "K")
-        if conduction:
-            raise UnsupportedError("fem has no conduction: leave conduction out")
         self.geometry = find_geometry(geometry, mesh.dimension)
         self.mesh = axisymmetric(mesh) if geometry in (None, "axisymmetric") and mesh.dimension == 2 else mesh
-        check_loads(tuple(loads), self.mesh, self.geometry)
+        check_loads(tuple(loads), self.mesh, self.geometry, conduction=conduction)
         self.material, self.wall, self.safety = material, as_wall(wall), safety
         self.cure = find_cure(cure, mesh.kind, integration)
         self.threads = Threads(threads)
@@ -93,9 +93,8 @@ class ExplicitSolver(Readout):
         damping = damping_of(loads)
         self._damping_rate = damping.rate if damping else 0.0
         self.velocities = initial_velocities(velocity, self.mesh.points)
-        self.points = MaterialPoints(
-            material, self._body.space.tables.weights.ravel(), temperature, viscosity, self.threads
-        )
+        volumes = self._body.space.tables.weights.ravel()
+        self.points = MaterialPoints(material, volumes, temperature, viscosity, self.threads, conduction)
         self.positions = self.mesh.points.copy()
         count = len(self.positions)
         self._held = np.zeros(count, dtype=np.bool_)
@@ -108,6 +107,11 @@ class ExplicitSolver(Readout):
         self._ledger = EnergyLedger(0.0, 0.0)
         if displacement is not None:
             self._displace(initial_positions(displacement, self.mesh.points))
+        self._conduction = None
+        if conduction:
+            self._conduction = Conduction(
+                self.mesh, self.geometry, integration, self._body, self.points, tuple(loads)
+            )
         self._resist()
         self._first_step = self.time_step
         self._ledger.initial = (
@@ -166,6 +170,8 @@ class ExplicitSolver(Readout):
         work = self.points.advance(dt)
         self.points.accept()
         body.accept()
+        if self._conduction is not None:
+            self._ledger.heat += self._conduction.advance(dt, self.time)
         self._next = (self.positions, self.velocities, self._held)
         self.positions, self.velocities, self._held = x1, v1, held1
         self._middle = middle
@@ -183,7 +189,8 @@ class ExplicitSolver(Readout):
 
     def _resist(self) -> None:
         """All forces and the stable step at the present positions."""
-        self.time_step = self.safety * self._body.resist(self.positions, self.points)
+        limit = math.inf if self._conduction is None else self._conduction.limit
+        self.time_step = self.safety * min(self._body.resist(self.positions, self.points), limit)
         self._ledger.hourglass = self._body.hourglass_energy
         self._loads = self._external.at(self.positions, self.time)
         self._damping = at_time(self._damping_rate, self.time)

@@ -15,12 +15,13 @@ class BoundaryFacets:
 
     nodes : (k, b) node numbers. positions : (k, q, d) reference positions of the points [m]. areas : (k, q) reference
     areas that they weigh [m^2]: 2 pi R per length in the axisymmetric body, those of unit thickness in plane strain.
+    places : (q, d - 1) reference coordinates of the points on a facet.
     """
 
     def __init__(self, mesh: Mesh, name: str, geometry: Geometry) -> None:
         facet = KINDS[mesh.kind].facet
-        places, self._weights = rule(facet, _DEGREE)
-        self._shape, self._local = shape_functions(facet, places)
+        self.places, self._weights = rule(facet, _DEGREE)
+        self._shape, self._local = shape_functions(facet, self.places)
         self._axisymmetric = isinstance(geometry, Axisymmetric)
         self.nodes = mesh.boundaries[name]
         self.positions = np.einsum("qb,kbi->kqi", self._shape, mesh.points[self.nodes])

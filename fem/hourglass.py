@@ -21,7 +21,7 @@ from fem.geometries import dimension_of
 from fem.tables import Tables
 from meshes.kinds import KINDS
 
-DEFAULT = 0.1
+DEFAULT = 0.02
 
 
 class Hourglass(NamedTuple):

@@ -9,6 +9,7 @@ from fem.tables import Tables
 
 COMPONENTS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
 EVENING_ROUNDS = 4
+AT_ONCE = 2048  # elements: what is worked on at a time stays in the cache
 
 
 class Metric(NamedTuple):
@@ -29,14 +30,17 @@ def make_metric(
     hourglass: np.ndarray | None,
 ) -> Metric:
     """The metric of a space. points : (n, d) reference positions of the nodes [m]."""
-    gradients = tables.gradients
-    free = np.ones(len(points))
-    if isinstance(geometry, Axisymmetric):
-        free = (points[:, 0] > 0.0).astype(np.float64)
-        gradients = gradients.copy()
-        gradients[..., 2] *= free[tables.nodes][:, None]
-    share = _shares(tables.weights, gradients, corner_mass)
-    return Metric(np.ascontiguousarray(_symmetric(tables.weights, gradients, share)), free, hourglass)
+    is_axisymmetric = isinstance(geometry, Axisymmetric)
+    free = (points[:, 0] > 0.0).astype(np.float64) if is_axisymmetric else np.ones(len(points))
+    tensors = np.empty((*tables.weights.shape, 6))
+    for first in range(0, len(tensors), AT_ONCE):
+        some = slice(first, first + AT_ONCE)
+        gradients = tables.gradients[some].copy()
+        if is_axisymmetric:
+            gradients[..., 2] *= free[tables.nodes[some]][:, None]
+        share = _shares(tables.weights[some], gradients, corner_mass[some])
+        tensors[some] = _symmetric(tables.weights[some], gradients, share)
+    return Metric(tensors, free, hourglass)
 
 
 def _shares(weights: np.ndarray, gradients: np.ndarray, corner_mass: np.ndarray) -> np.ndarray:

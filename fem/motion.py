@@ -50,25 +50,23 @@ def move(
         external, damped = 0.0, 0.0
         for node in range(chunk * NODE_CHUNK, min((chunk + 1) * NODE_CHUNK, nodes)):
             for i in range(d):
-                force = 0.0
+                force = component(loads, node, i)
                 for entry in range(start[node], start[node + 1]):
                     force += corner_forces[entries[entry], i]
-                load = component(loads, node, i)
-                before = v0[node, i]
-                free = ((1.0 - slowing) * before + middle * (force + load) / mass[node]) / (1.0 + slowing)
-                after = given[node, i] if fixed[node, i] else free
-                average = 0.5 * (before + after)
-                reaction = (1.0 + slowing) * mass[node] * (after - free)
+                free = ((1.0 - slowing) * v0[node, i] + middle * force / mass[node]) / (1.0 + slowing)
+                v1[node, i] = given[node, i] if fixed[node, i] else free
+                reaction = (1.0 + slowing) * mass[node] * (v1[node, i] - free)
                 put_component(reactions, node, i, reaction)
-                external += (middle * load + reaction) * average
-                damped -= damping * middle * mass[node] * average * average
-                v1[node, i] = after
+                external += 0.5 * reaction * (v0[node, i] + v1[node, i])
             held1[node] = False
-            if wall != NO_WALL:
+            if wall != NO_WALL and not fixed[node, d - 1]:
                 meet_wall(
                     d, wall, friction, dt, node, mass[node], fixed, x0, v0, held0, v1, held1, sums, chunk
                 )
             for i in range(d):
+                average = 0.5 * (v0[node, i] + v1[node, i])
+                external += middle * component(loads, node, i) * average
+                damped -= damping * middle * mass[node] * average * average
                 x1[node, i] = x0[node, i] + dt * v1[node, i]
             if held1[node]:
                 x1[node, d - 1] = 0.0

@@ -1,5 +1,7 @@
 """What can be read from a body of finite elements at any time."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from core_models.errors import SceneError, UnsupportedError
@@ -19,18 +21,22 @@ class Readout:
 
     def kinetic_energy(self) -> float:
         """Kinetic energy at `time` [J]: that of the half step before, and half a step's power of the forces."""
-        mass, v = self._body.nodal_mass[:, None], self.velocities
-        forces = self.nodal_forces() - self._damping * mass * v
-        if self._loads is not None:
-            forces += self._loads
-        forces[self._supports.fixed] = 0.0
-        return 0.5 * float((mass * v**2).sum()) + 0.5 * self._last_step * float((forces * v).sum())
+        return self.ledger.kinetic
 
     @property
     def ledger(self) -> EnergyLedger:
-        """Energies up to now; the kinetic one is worked out when somebody looks."""
-        self._ledger.kinetic = self.kinetic_energy()
-        return self._ledger
+        """Energies at `time`. Velocities, and what forces from outside have done, belong to half a step before."""
+        mass, v, fixed = self._body.nodal_mass[:, None], self.velocities, self._supports.fixed
+        power = self.nodal_forces() * v
+        braking = self._damping * mass * v**2
+        loads = np.zeros_like(v) if self._loads is None else self._loads * v
+        half = 0.5 * self._last_step
+        return replace(
+            self._ledger,
+            kinetic=0.5 * float((mass * v**2).sum()) + half * float((power + loads - braking)[~fixed].sum()),
+            external=self._ledger.external + half * float(np.where(fixed, braking - power, loads).sum()),
+            damping=self._ledger.damping + half * float(braking.sum()),
+        )
 
     @property
     def nodal_mass(self) -> np.ndarray:

@@ -11,7 +11,7 @@ from mpm.grid import FORCE, MASS, RECORD, VELOCITY, node_at
 from mpm.interpolation import reach
 from mpm.interpolation.gimp import UniformGimp
 from mpm.interpolation.linear import LinearHat
-from mpm.tile import WEIGHTS, put_stencil
+from mpm.tile import STENCIL, WEIGHTS, put_stencil
 
 
 def point_shape(shape):
@@ -52,6 +52,9 @@ class Anchors:
     ----------
     geometry, shape, grid : of the background. pairs : (axis, node beyond, image) of its symmetry planes.
     points : positions (k, d) [m].
+
+    nodes : (m,) numbers of the nodes. masses : (m,) [kg]. velocities : (..., 4) of all nodes after the forces [m/s].
+    local (k, a) : places in `nodes` of those that each point reaches. weights (k, a, d) : theirs along each axis.
     """
 
     def __init__(
@@ -61,7 +64,7 @@ class Anchors:
         k, d = points.shape
         along = np.empty((k, d, reach(shape)), dtype=np.int64)
         one_by_one = np.empty((k, d, reach(shape)))
-        hold(0, k, np.zeros(64), geometry, shape, grid, points, along, one_by_one)
+        hold(0, k, np.zeros(STENCIL), geometry, shape, grid, points, along, one_by_one)
         nodes, weights = np.zeros((k, 1, 3), dtype=np.int64), np.ones((k, 1))
         for axis in range(d):
             nodes = np.repeat(nodes, reach(shape), axis=1)
@@ -83,42 +86,55 @@ class Anchors:
                 f"the loaded surface at ({place}) m has no particle within reach: the body has come apart there; "
                 "use a finer mesh of particles, or take the load off"
             )
-        self._nodes, local = np.unique(numbers[numbers >= 0], return_inverse=True)
-        self._local = np.zeros(weights.shape, dtype=np.int64)
-        self._local[numbers >= 0] = local
-        self._weights = signs * (weights / total)[:, :, None]
+        self.nodes, local = np.unique(numbers[numbers >= 0], return_inverse=True)
+        self.local = np.zeros(weights.shape, dtype=np.int64)
+        self.local[numbers >= 0] = local
+        self.weights = signs * (weights / total)[:, :, None]
         self._records = grid.nodes.reshape(-1, RECORD)
-        self._velocities = grid.after.reshape(-1, VELOCITY)
-        self._masses = self._records[self._nodes, MASS]
+        self.velocities = grid.after.reshape(-1, VELOCITY)
+        self.masses = self._records[self.nodes, MASS]
+
+    def __len__(self) -> int:
+        """Number of points."""
+        return len(self.local)
 
     def before(self, axis: int) -> np.ndarray:
         """The grid's velocity along an axis before the forces at the points (k,) [m/s]."""
-        return self._interpolate(axis, self._records[self._nodes, axis])
+        return self._interpolate(axis, self._records[self.nodes, axis])
 
     def after(self, axis: int) -> np.ndarray:
         """The grid's velocity along an axis after the forces at the points (k,) [m/s]."""
-        return self._interpolate(axis, self._velocities[self._nodes, axis])
+        return self._interpolate(axis, self.velocities[self.nodes, axis])
 
     def jump(self, axis: int) -> float:
         """Kinetic energy of the change of velocity along an axis that these nodes have undergone [J]."""
-        change = self._velocities[self._nodes, axis] - self._records[self._nodes, axis]
-        return 0.5 * float((self._masses * change * change).sum())
+        change = self.velocities[self.nodes, axis] - self._records[self.nodes, axis]
+        return 0.5 * float((self.masses * change * change).sum())
 
     def response(self, axis: int, impulses: np.ndarray) -> np.ndarray:
         """Change of velocity along an axis (k,) [m/s] at the points that impulses there (k,) [N s] would make."""
-        return self._interpolate(axis, self._spread(axis, impulses) / self._masses)
+        return self._interpolate(axis, self._spread(axis, impulses) / self.masses)
 
     def push(self, axis: int, impulses: np.ndarray) -> None:
         """Change the velocity after the forces by impulses along an axis (k,) [N s] at the points."""
-        self._velocities[self._nodes, axis] += self._spread(axis, impulses) / self._masses
+        self.velocities[self.nodes, axis] += self._spread(axis, impulses) / self.masses
 
     def load(self, axis: int, forces: np.ndarray) -> None:
         """Add forces along an axis (k,) [N] at the points to those on the nodes."""
-        self._records[self._nodes, FORCE + axis] += self._spread(axis, forces)
+        self._records[self.nodes, FORCE + axis] += self._spread(axis, forces)
+
+    def even(self, values: np.ndarray) -> np.ndarray:
+        """Interpolate values of all nodes of the grid, even across symmetry planes, to the points (k,)."""
+        return (np.abs(self.weights[:, :, 0]) * values[self.nodes][self.local]).sum(axis=1)
+
+    def spread_evenly(self, values: np.ndarray) -> np.ndarray:
+        """Spread what the points hold (k,) over the nodes (m,), the same way on both sides of symmetry planes."""
+        shares = (np.abs(self.weights[:, :, 0]) * values[:, None]).ravel()
+        return np.bincount(self.local.ravel(), weights=shares, minlength=len(self.nodes))
 
     def _interpolate(self, axis: int, values: np.ndarray) -> np.ndarray:
-        return (self._weights[:, :, axis] * values[self._local]).sum(axis=1)
+        return (self.weights[:, :, axis] * values[self.local]).sum(axis=1)
 
     def _spread(self, axis: int, values: np.ndarray) -> np.ndarray:
-        shares = (self._weights[:, :, axis] * values[:, None]).ravel()
-        return np.bincount(self._local.ravel(), weights=shares, minlength=len(self._nodes))
+        shares = (self.weights[:, :, axis] * values[:, None]).ravel()
+        return np.bincount(self.local.ravel(), weights=shares, minlength=len(self.nodes))

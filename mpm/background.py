@@ -8,11 +8,12 @@ from core_models.compilation import CHUNK
 from core_models.geometry import Geometry
 from core_models.threads import Threads
 from mpm.anchors import Anchors
-from mpm.grid import MASS, RECORD, VELOCITY, block_nodes, clear, make_grid, with_storage
+from mpm.configurations import Total, Updated
+from mpm.grid import FORCE, MASS, RECORD, VELOCITY, block_nodes, clear, make_grid, with_storage
 from mpm.interpolation import layers
 from mpm.interpolation.catalogue import Interpolation
 from mpm.mirrors import Mirror, fold, reflect
-from mpm.motion import accelerate, measure_spreads, settle
+from mpm.motion import accelerate, carry_affine, settle
 from mpm.order import MOVED, lay_out, locate_particles, make_order, sort_particles
 from mpm.tile import make_scratch
 from mpm.to_grid import to_grid
@@ -26,7 +27,7 @@ class Background:
     ----------
     geometry, shape : of the kernels (core_models.geometry, mpm.interpolation). cell_size : [m].
     base : (3,) point that cells are counted from [m]. mirrors : symmetry planes. bounds : (d, 2) where particles may
-    be [m]. threads : worker threads.
+    be [m]. threads : worker threads. configuration : which body the grid covers.
     """
 
     def __init__(
@@ -38,8 +39,10 @@ class Background:
         mirrors: Sequence[Mirror],
         bounds: np.ndarray,
         threads: Threads,
+        configuration: Updated | Total,
     ) -> None:
         self.geometry, self.shape, self.threads = geometry, shape, threads
+        self.configuration = configuration
         self.cell_size, self.mirrors, self.bounds = cell_size, mirrors, bounds
         self._base = base
         self._pairs = [(mirror.axis, *pair) for mirror in mirrors for pair in mirror.pairs(layers(shape))]
@@ -72,10 +75,10 @@ class Background:
     def fill(self, *particles) -> None:
         """Bring mass, momentum and force of the particles to the grid, then turn momentum into velocity.
 
-        particles : what `to_grid` takes from `positions` on.
+        particles : what `to_grid` takes from `positions` to `forces`.
         """
         self.threads.run(clear, self.blocks, self.grid.nodes, RECORD * block_nodes(self.geometry))
-        self.by_colour(to_grid, *particles)
+        self.by_colour(to_grid, *particles, self.configuration)
         self._beyond = self.fold(self.grid.nodes, RECORD)
         self.threads.run(settle, self.blocks, self.geometry, self.grid, self.energies)
         self.reflect(self.grid.nodes, RECORD)
@@ -96,6 +99,24 @@ class Background:
                 begin,
                 *arguments,
             )
+
+    def over_homes(self, kernel, *arguments) -> None:
+        """Run a kernel that only reads nodes over all homes."""
+        self.threads.run_with(
+            kernel,
+            len(self.sums),
+            self._scratch,
+            self.geometry,
+            self.shape,
+            self.grid,
+            self.order,
+            *arguments,
+        )
+
+    @property
+    def pairs(self) -> list[tuple[int, int, int]]:
+        """Axis, node beyond and its image along the axis, for every layer beyond a symmetry plane."""
+        return self._pairs
 
     def fold(self, records: np.ndarray, size: int) -> list[float]:
         """Add what nodes beyond symmetry planes hold to their mirror images; returns what `mirrors.fold` does."""
@@ -132,17 +153,28 @@ class Background:
         """Points (k, d) [m] of the surface, held in the grid that has been filled."""
         return Anchors(self.geometry, self.shape, self.grid, self._pairs, points)
 
-    def spreads(self, positions: np.ndarray) -> np.ndarray:
-        """Second moments of the weights along the axes (n, d) [m^2] at the particles: D of the affine velocity."""
-        spreads = np.empty_like(positions)
+    def carried(self, positions: np.ndarray, affine: np.ndarray) -> np.ndarray:
+        """Affine velocities C (n, d, d) [1/s] times the second moments D of the particles' weights [m^2/s]."""
+        carried = np.empty_like(affine)
         chunks = -(-len(positions) // CHUNK)
-        self.threads.run(measure_spreads, chunks, self.geometry, self.shape, self.grid, positions, spreads)
-        return spreads
+        self.threads.run(
+            carry_affine, chunks, self.geometry, self.shape, self.grid, positions, affine, carried
+        )
+        return carried
+
+    def power(self) -> float:
+        """Power of the forces on the nodes, as they move after them [W]."""
+        nodes = self.blocks * block_nodes(self.geometry)
+        forces = self.grid.nodes.reshape(-1, RECORD)[:nodes, FORCE : FORCE + 3]
+        return float((forces * self.grid.after.reshape(-1, VELOCITY)[:nodes, :3]).sum())
 
     def give(self, dt: float, *particles) -> np.ndarray:
-        """Bring deformation and velocity back; see `to_particles`, from `positions` on. Returns its sums."""
+        """Bring deformation and velocity back; returns the sums of `to_particles`.
+
+        particles : what it takes from `positions` to `volume_ratio`.
+        """
         self.threads.run_with(
             to_particles, len(self.sums), self._scratch, self.geometry, self.shape, self.grid, self.order, dt,
-            *particles, self.sums,
+            *particles, self.configuration, self.sums,
         )  # fmt: skip
-        return self.sums
+        return self.sums.copy()

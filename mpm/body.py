@@ -11,6 +11,7 @@ from core_models.material import Material
 from core_models.points import MaterialPoints
 from core_models.threads import Threads
 from meshes.mesh import Mesh
+from mpm.configurations import Total, Updated
 from mpm.initial import STAGES, field_gradients, field_values, initial_gradients, initial_velocities
 from mpm.particles import domain_corners, seed
 from mpm.shape import Boundary, deformed
@@ -23,6 +24,7 @@ class Body:
     ----------
     mesh, material, geometry, threads : as the solver's. seeding : see `mpm.particles`. velocity, displacement,
     temperature, viscosity : initial state, see the solver. affine : whether particles carry an affine velocity.
+    conduction : whether heat is conducted. configuration : of mpm.configurations.
 
     positions, velocities (n, d) [m], [m/s]; affine (n, d, d) [1/s] or None; volume_ratio (n,) det F.
     """
@@ -40,6 +42,8 @@ class Body:
         temperature: float | None,
         viscosity: BulkViscosity | None,
         affine: bool,
+        conduction: bool,
+        configuration: Updated | Total,
     ) -> None:
         self.mesh, self.material, self.geometry, self.threads, self.seeding = (
             mesh,
@@ -48,10 +52,13 @@ class Body:
             threads,
             seeding,
         )
+        self.configuration = configuration
         self.particles = seed(mesh, geometry, seeding)
         self.reference_positions = self.particles.positions
         self.boundary = Boundary(self.particles.faces, self.reference_positions, geometry)
-        self.points = MaterialPoints(material, self.particles.volumes, temperature, viscosity, threads)
+        self.points = MaterialPoints(
+            material, self.particles.volumes, temperature, viscosity, threads, conduction
+        )
         n, d = self.reference_positions.shape
         self.positions = self.reference_positions.copy()
         self.velocities = initial_velocities(velocity, self.reference_positions)
@@ -122,7 +129,8 @@ class Body:
         self.volume_ratio = self.points.volume_ratio
 
     def _turn(self, velocity: Any) -> None:
-        """Give the particles the affine velocity of a field v(X)."""
-        d = self.positions.shape[1]
-        inverse = np.linalg.inv(self.points.old_deformation_gradient[:, :d, :d])
-        self.affine[:] = field_gradients(velocity, self.reference_positions) @ inverse
+        """Give the particles the affine velocity of a field v(X), a gradient in the body that the grid covers."""
+        self.affine[:] = field_gradients(velocity, self.reference_positions)
+        if not isinstance(self.configuration, Total):
+            d = self.positions.shape[1]
+            self.affine[:] = self.affine @ np.linalg.inv(self.points.old_deformation_gradient[:, :d, :d])

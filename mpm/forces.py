@@ -48,14 +48,15 @@ class Forces:
         """Add the forces on the surface to the grid."""
         self._on_surface = []
         for load, surface in self._surface:
-            points = surface.points(positions, deformation_gradient)
             if isinstance(load, Pressure):
+                points = surface.points(positions, deformation_gradient)
                 vectors = surface.area_vectors(points, positions, deformation_gradient)
                 forces = -at_time(load.pressure, time) * vectors
             else:
                 traction = at_points(load.traction, surface.reference_points, time, positions.shape[1])
                 forces = surface.reference_areas[:, None] * traction
-            anchors = background.anchors(points)
+            places = surface.places(background.configuration, positions, deformation_gradient)
+            anchors = background.anchors(places)
             for axis in range(forces.shape[1]):
                 anchors.load(axis, forces[:, axis])
             self._on_surface.append((anchors, forces))

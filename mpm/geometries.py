@@ -4,8 +4,8 @@ from core_models.compilation import inside_kernel
 from core_models.dispatch import generic
 from core_models.geometry import Axisymmetric, PlaneStrain, Spatial
 from core_models.tensors import determinant, load_tensor, store_tensor
-from mpm.interpolation import locate, reach
-from mpm.lanes import lane, lanes
+from mpm.interpolation import locate_particle, reach
+from mpm.lanes import fused, lane, lanes
 
 
 @generic
@@ -75,19 +75,26 @@ def _(geometry, shape):
     return reach(shape)
 
 
+@inside_kernel
+def along(shape, geometry, grid, positions, p, axis):
+    """First node that particle p reaches along an axis, and its local coordinate."""
+    x = (positions[p, axis] - grid.base[axis]) * grid.over_h
+    return locate_particle(shape, geometry, p, axis, x, grid.over_h)
+
+
 @stand.register(Axisymmetric)
 @stand.register(PlaneStrain)
 def _(geometry, shape, grid, positions, p):
-    i, x = locate(shape, (positions[p, 0] - grid.base[0]) * grid.over_h)
-    j, y = locate(shape, (positions[p, 1] - grid.base[1]) * grid.over_h)
+    i, x = along(shape, geometry, grid, positions, p, 0)
+    j, y = along(shape, geometry, grid, positions, p, 1)
     return i, j, 0.0, lanes(x, y, 0.0, 0.0)
 
 
 @stand.register(Spatial)
 def _(geometry, shape, grid, positions, p):
-    i, x = locate(shape, (positions[p, 0] - grid.base[0]) * grid.over_h)
-    j, y = locate(shape, (positions[p, 1] - grid.base[1]) * grid.over_h)
-    k, z = locate(shape, (positions[p, 2] - grid.base[2]) * grid.over_h)
+    i, x = along(shape, geometry, grid, positions, p, 0)
+    j, y = along(shape, geometry, grid, positions, p, 1)
+    k, z = along(shape, geometry, grid, positions, p, 2)
     return i, j, k, lanes(x, y, z, 0.0)
 
 
@@ -154,13 +161,12 @@ def _(geometry, positions, p, tension):
 @inside_kernel
 def deform_in_plane(old, new, p, dt, x, y, hoop):
     """The part of `deform` in the plane of the first two axes; hoop : ratio of stretches along the third."""
-    xx, xy, yx, yy = lane(x, 0), lane(y, 0), lane(x, 1), lane(y, 1)
-    f_xx, f_xy, f_yx, f_yy = old[p, 0, 0], old[p, 0, 1], old[p, 1, 0], old[p, 1, 1]
-    n_xx, n_xy = f_xx + dt * (xx * f_xx + xy * f_yx), f_xy + dt * (xx * f_xy + xy * f_yy)
-    n_yx, n_yy = f_yx + dt * (yx * f_xx + yy * f_yx), f_yy + dt * (yx * f_xy + yy * f_yy)
-    n_zz = old[p, 2, 2] * hoop
-    new[p, 0, 0], new[p, 0, 1], new[p, 1, 0], new[p, 1, 1], new[p, 2, 2] = n_xx, n_xy, n_yx, n_yy, n_zz
-    return n_zz * (n_xx * n_yy - n_xy * n_yx)
+    xx, xy, yx, yy = old[p, 0, 0], old[p, 0, 1], old[p, 1, 0], old[p, 1, 1]
+    first, second = dt * fused(xx, x, yx * y), dt * fused(xy, x, yy * y)
+    xx, xy, yx, yy = xx + lane(first, 0), xy + lane(second, 0), yx + lane(first, 1), yy + lane(second, 1)
+    zz = old[p, 2, 2] * hoop
+    new[p, 0, 0], new[p, 0, 1], new[p, 1, 0], new[p, 1, 1], new[p, 2, 2] = xx, xy, yx, yy, zz
+    return zz * (xx * yy - xy * yx)
 
 
 @deform.register(Axisymmetric)
@@ -176,19 +182,13 @@ def _(geometry, old, new, p, dt, x, y, z, v, positions):
 @deform.register(Spatial)
 def _(geometry, old, new, p, dt, x, y, z, v, positions):
     f = load_tensor(old, p)
-    a = (lane(x, 0), lane(y, 0), lane(z, 0))
-    b = (lane(x, 1), lane(y, 1), lane(z, 1))
-    c = (lane(x, 2), lane(y, 2), lane(z, 2))
+    a = dt * fused(f[0], x, fused(f[3], y, f[6] * z))
+    b = dt * fused(f[1], x, fused(f[4], y, f[7] * z))
+    c = dt * fused(f[2], x, fused(f[5], y, f[8] * z))
     g = (
-        f[0] + dt * (a[0] * f[0] + a[1] * f[3] + a[2] * f[6]),
-        f[1] + dt * (a[0] * f[1] + a[1] * f[4] + a[2] * f[7]),
-        f[2] + dt * (a[0] * f[2] + a[1] * f[5] + a[2] * f[8]),
-        f[3] + dt * (b[0] * f[0] + b[1] * f[3] + b[2] * f[6]),
-        f[4] + dt * (b[0] * f[1] + b[1] * f[4] + b[2] * f[7]),
-        f[5] + dt * (b[0] * f[2] + b[1] * f[5] + b[2] * f[8]),
-        f[6] + dt * (c[0] * f[0] + c[1] * f[3] + c[2] * f[6]),
-        f[7] + dt * (c[0] * f[1] + c[1] * f[4] + c[2] * f[7]),
-        f[8] + dt * (c[0] * f[2] + c[1] * f[5] + c[2] * f[8]),
-    )
+        f[0] + lane(a, 0), f[1] + lane(b, 0), f[2] + lane(c, 0),
+        f[3] + lane(a, 1), f[4] + lane(b, 1), f[5] + lane(c, 1),
+        f[6] + lane(a, 2), f[7] + lane(b, 2), f[8] + lane(c, 2),
+    )  # fmt: skip
     store_tensor(new, p, g)
     return determinant(g)

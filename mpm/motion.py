@@ -1,9 +1,9 @@
 """Motion of the grid: velocities from momenta, then forces, then damping."""
 
 from core_models.compilation import CHUNK, kernel
-from mpm.geometries import put_vector, stand
+from mpm.exchange import times_moment
+from mpm.geometries import column, put_columns, stand
 from mpm.grid import FORCE, MASS, RECORD, VELOCITY, block_nodes
-from mpm.interpolation import half_size, spread
 
 BEFORE, AFTER = 0, 1
 
@@ -57,9 +57,10 @@ def advect(first, last, dt, moves, positions):
 
 
 @kernel
-def measure_spreads(first, last, geometry, shape, grid, positions, spreads):
-    """Second moments of the weights along the axes (n, d) [m^2] of the particles of chunks first ... last-1."""
+def carry_affine(first, last, geometry, shape, grid, positions, affine, carried):
+    """C D (n, d, d) [m^2/s] of the particles of chunks first ... last-1: affine velocity times second moment."""
     for p in range(first * CHUNK, min(last * CHUNK, positions.shape[0])):
         _, _, _, t = stand(geometry, shape, grid, positions, p)
-        d = grid.h * grid.h * spread(shape, t, half_size(shape, p, grid.over_h))
-        put_vector(geometry, spreads, p, d)
+        x, y = column(geometry, affine, p, 0), column(geometry, affine, p, 1)
+        x, y, z = times_moment(shape, geometry, grid, p, t, x, y, column(geometry, affine, p, 2))
+        put_columns(geometry, carried, p, x, y, z)

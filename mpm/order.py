@@ -32,7 +32,9 @@ class Order(NamedTuple):
 def make_order(particles: int, grid: Grid) -> Order:
     """Room for the order of particles on a grid."""
     return Order(
-        np.zeros(particles, dtype=np.int32),
+        np.zeros(
+            particles, dtype=np.uint32
+        ),  # unsigned: kernels need not ask whether they count from the end
         np.full(particles, -1, dtype=np.int32),
         np.zeros(len(grid.table) + 1, dtype=np.int32),
         np.zeros(-(-particles // CHUNK), dtype=np.int64),

@@ -1,4 +1,4 @@
-"""Explicit material point method: updated Lagrangian, in the plane, with axial symmetry or in space."""
+"""Explicit material point method: updated or total Lagrangian, in the plane, with axial symmetry or in space."""
 
 import math
 from typing import Any
@@ -23,6 +23,8 @@ from meshes.axisymmetric import axisymmetric
 from meshes.mesh import Mesh
 from mpm.background import Background
 from mpm.body import Body
+from mpm.conduction import Conduction
+from mpm.configurations import Total, find_configuration, pull_back
 from mpm.contact import Contact, Push
 from mpm.forces import Forces
 from mpm.grid import RECORD, VELOCITY
@@ -30,8 +32,11 @@ from mpm.interpolation.catalogue import check_interpolation, make_interpolation
 from mpm.limits import bounds_of, check_size
 from mpm.mirrors import find_mirrors
 from mpm.motion import AFTER, BEFORE, advect
+from mpm.musl import MUSL, USL, Remap, check_update
 from mpm.particles import GAUSS, rim_faces
+from mpm.reference_contact import ReferenceContact
 from mpm.supports import Hold, Supports
+from mpm.surface import Surface
 from mpm.to_particles import ENERGY, SPEED
 from mpm.transfers import make_transfer
 from mpm.xpic import Filter
@@ -47,10 +52,13 @@ class Solver(Body):
     velocity : initial [m/s]: a number (along the last axis), a vector (d,), or a function of positions (n, d).
     displacement : initial, a function of positions (n, d) [m], or None. temperature : initial [K].
     loads : of `core_models.loads`. wall : `Wall`, 'unilateral', 'plane' or None. viscosity : BulkViscosity or None.
-    threads : number of threads. interpolation : 'quadratic', 'cubic', 'linear' or 'gimp'.
+    threads : number of threads. conduction : whether heat is conducted (core_models.conduction), else the body is
+    adiabatic. interpolation : 'quadratic', 'cubic', 'linear' or 'gimp'.
     transfer : 'apic', 'flip', 'pic' or 'xpic'. flip_fraction : share of FLIP in the blend with PIC.
-    xpic_order : m of XPIC(m). seeding : 'gauss' or 'lattice'. cfl : part of h / (c + |v|) that is taken as step, in
-    (0, 1].
+    xpic_order : m of XPIC(m). update : of the stress, 'usl' (last) or 'musl' (last, modified).
+    configuration : that the grid covers, 'updated' (the body as it is) or 'total' (the reference body).
+    seeding : 'gauss' or 'lattice'. cfl : part of h / (c + |v|), in the total configuration of h / (c |F^-1|), that is
+    taken as step, in (0, 1].
 
     `advance` makes one step: particles to grid -> motion of the grid -> wall -> grid to particles -> points.
     Velocities belong to the middle of the last step, positions and stress to its end.
@@ -72,14 +80,19 @@ class Solver(Body):
         wall: Wall | str | None = None,
         viscosity: BulkViscosity | None = None,
         threads: int = 1,
+        conduction: bool = False,
         interpolation: str = "quadratic",
         transfer: str = "apic",
         flip_fraction: float = 0.99,
         xpic_order: int = 2,
+        update: str = USL,
+        configuration: str = "updated",
         seeding: str = GAUSS,
         cfl: float = 0.5,
     ) -> None:
         check_interpolation(interpolation)
+        check_update(update)
+        frame = find_configuration(configuration, interpolation, conduction)
         self._transfer = make_transfer(transfer, flip_fraction, xpic_order)
         check_between("cell_size", cell_size, 0.0, math.inf, "m")
         self.cfl = check_between("cfl", cfl, 0.0, 1.0)
@@ -88,30 +101,43 @@ class Solver(Body):
         kind = find_geometry(geometry, mesh.dimension)
         mesh = axisymmetric(mesh) if isinstance(kind, Axisymmetric) else mesh
         wall = as_wall(wall)
-        check_loads(loads, mesh, kind)
+        check_loads(loads, mesh, kind, conduction=conduction)
         base, mirrors = find_mirrors(mesh, kind, loads, wall, cell_size)
         check_size(mesh, cell_size, mirrors)
         super().__init__(
             mesh, material, kind, Threads(threads), seeding=seeding, velocity=velocity, displacement=displacement,
-            temperature=temperature, viscosity=viscosity, affine=self._transfer.affine,
+            temperature=temperature, viscosity=viscosity, affine=self._transfer.affine, conduction=conduction,
+            configuration=frame,
         )  # fmt: skip
         if self.points.lengths is not None:
             self.points.lengths[:] = cell_size
         self.cell_size, self.transfer, self.wall = cell_size, transfer, wall
         shape = make_interpolation(interpolation, cell_size, mesh, seeding, self.particles.areas)
         bounds = bounds_of(mesh, cell_size, base, mirrors, wall)
-        self._background = Background(kind, shape, cell_size, base, mirrors, bounds, self.threads)
-        self._background.surround(self.positions)
+        self._background = Background(kind, shape, cell_size, base, mirrors, bounds, self.threads, frame)
+        is_total = isinstance(frame, Total)
+        # Where the particles are in the body that the grid covers: this array itself moves along in the updated one.
+        self._places = self.reference_positions if is_total else self.positions
+        self._background.surround(self._places)
         mirrored = [load.boundary for load in loads if isinstance(load, Symmetry)]
         self._contact = None
         if wall is not None:
-            self._contact = Contact(wall, rim_faces(mesh, kind, seeding, self.particles, mirrored))
+            rim = rim_faces(mesh, kind, seeding, self.particles, mirrored)
+            if is_total:
+                self._contact = ReferenceContact(wall, Surface(rim, self.reference_positions, kind))
+            else:
+                self._contact = Contact(wall, rim)
         self._filter = Filter(self._transfer.order) if self._transfer.order else None
+        self._remap = Remap(self.positions) if update == MUSL else None
         self._damping = damping_of(loads)
         self._forces = Forces(loads, self.particles, kind, material.density)
         self._supports = Supports(loads, self.particles, kind)
+        self._conduction = None
+        if conduction:
+            self._conduction = Conduction(loads, self.particles, kind, self.points, cell_size)
+        self._waves = np.zeros(-(-self.points.n // CHUNK)) if is_total else None
         self._new_velocities = np.empty_like(self.velocities)
-        self._moves = np.empty_like(self.velocities) if self._transfer.share else self._new_velocities
+        self._moves = np.empty_like(self.velocities) if self._transfer.share else None
         self._filled = False
         self._reactions: dict[str, np.ndarray] = {}
         self.time, self.step_count, self.point_updates, self._last_step = 0.0, 0, 0, 0.0
@@ -147,18 +173,18 @@ class Solver(Body):
     def _fill(self) -> None:
         """Fill the grid with what the particles bring, and measure gaps to the wall."""
         points, background = self.points, self._background
-        outside = background.follow(self.positions)
+        outside = background.follow(self._places)
         if outside is not None:
             self._check_inside(outside)
-            background.surround(self.positions)
-            background.follow(self.positions)
+            background.surround(self._places)
+            background.follow(self._places)
         background.fill(
-            self.positions, self.velocities, self.affine, self.material.density, points.reference_volumes,
-            self.volume_ratio, points.old.stress, points.viscous_pressure,
+            self._places, self.velocities, self.affine, self.material.density, points.reference_volumes,
+            self.volume_ratio, points.old_deformation_gradient, points.old.stress, points.viscous_pressure,
             self._forces.on_particles(self.time, self.positions),
         )  # fmt: skip
         if self._filter is not None:
-            self._filter.apply(background, self.positions, self.material.density, points.reference_volumes)
+            self._filter.apply(background, self._places, self.material.density, points.reference_volumes)
         self._forces.load_surfaces(background, self.time, self.positions, points.old_deformation_gradient)
         if self._contact is not None:
             self._contact.measure(background, self.positions, points.old_deformation_gradient)
@@ -171,36 +197,76 @@ class Solver(Body):
         kick = 0.5 * (self._last_step + dt)
         keep = math.exp(-kick * at_time(self._damping.rate, self.time)) if self._damping else 1.0
         background.accelerate(kick, keep)
-        hold = self._supports.impose(
-            background, self.time + 0.5 * dt, self.positions, points.old_deformation_gradient,
-            self._last_step == 0.0,
-        )  # fmt: skip
-        push = Push() if self._contact is None else self._contact.meet(background, dt)
-        background.reflect(background.grid.after, VELOCITY)
+        hold, push = self._constrain(dt)
         second, size = (background.grid.nodes, RECORD) if transfer.keeps_velocity else (None, 0)
         if self._filter is not None:
             second, size = self._filter.correction, VELOCITY
         sums = background.give(
-            dt, self.positions, self.velocities, self.affine, second, size, transfer.own, transfer.share,
+            dt, self._places, self.velocities, self.affine, second, size, transfer.own, transfer.share,
             self.material.density, points.reference_volumes, points.old_deformation_gradient,
             points.deformation_gradient, self._moves, self._new_velocities, self.volume_ratio,
         )  # fmt: skip
-        work = points.advance(dt)
-        external = dt * self._forces.power(self._moves)
+        moves = self._new_velocities if self._moves is None else self._moves
+        external = dt * self._forces.power(moves)
         damped = background.damped_energy(keep) if self._damping else 0.0
+        lost = 0.0 if self._remap is None else self._deform_again(dt, external)
+        work = points.advance(dt)
         points.accept()
-        self.threads.run(advect, -(-points.n // CHUNK), dt, self._moves, self.positions)
-        shared = self._moves is self._new_velocities
+        self._conduct(dt)
+        self.threads.run(advect, -(-points.n // CHUNK), dt, moves, self.positions)
         self.velocities, self._new_velocities = self._new_velocities, self.velocities
-        if shared:
-            self._moves = self._new_velocities
-        self._keep_books(work, external, damped, hold, push, sums, kick)
+        self._keep_books(work, external, damped, lost, hold, push, sums, kick)
+
+    def _constrain(self, dt: float) -> tuple[Hold, Push]:
+        """Change the grid's velocity after the forces to what supports, wall and symmetry planes allow."""
+        background = self._background
+        hold = self._supports.impose(
+            background, self.time + 0.5 * dt, self.positions, self.points.old_deformation_gradient,
+            self._last_step == 0.0,
+        )  # fmt: skip
+        push = Push() if self._contact is None else self._contact.meet(background, dt)
+        background.reflect(background.grid.after, VELOCITY)
+        return hold, push
+
+    def _deform_again(self, dt: float, external: float) -> float:
+        """Deform the particles by their own new velocities instead (mpm.musl); external : work of the loads [J].
+
+        Returns the energy that this has lost [J]: what the grid's motion has put in less what the stress gets.
+        """
+        points, moves = self.points, self._remap.moves
+        given = dt * self._background.power() - external
+        self._remap.apply(
+            self._background, self._places, self._new_velocities, self.affine, self.material.density,
+            points.reference_volumes,
+        )  # fmt: skip
+        self._constrain(dt)
+        self._background.give(
+            dt, self._places, self.velocities, None, None, 0, 0.0, 0.0, self.material.density,
+            points.reference_volumes, points.old_deformation_gradient, points.deformation_gradient, None, moves,
+            self.volume_ratio,
+        )  # fmt: skip
+        taken = dt * (self._background.power() - self._forces.power(moves))
+        # Half of a step's force works on the velocity that it finds, which is that of the particles already.
+        return 0.5 * (taken - given)
+
+    def _conduct(self, dt: float) -> None:
+        """Conduct heat, if the scene asks for it, on the grid and with the shape that the step began with."""
+        if self._conduction is not None:
+            self.ledger.heat += self._conduction.advance(
+                self._background,
+                dt,
+                self.time,
+                self.positions,
+                self.points.deformation_gradient,
+                self.volume_ratio,
+            )
 
     def _keep_books(
         self,
         work: Work,
         external: float,
         damped: float,
+        lost: float,
         hold: Hold,
         push: Push,
         sums: np.ndarray,
@@ -210,8 +276,10 @@ class Solver(Body):
         ledger = self.ledger
         on_grid = self._background.energies.sum(axis=0)
         kinetic = float(sums[:, ENERGY].sum())
-        ledger.transfer += (self._kinetic - float(on_grid[BEFORE])) + (
-            float(on_grid[AFTER]) + hold.energy + push.energy - kinetic
+        ledger.transfer += (
+            lost
+            + (self._kinetic - float(on_grid[BEFORE]))
+            + (float(on_grid[AFTER]) + hold.energy + push.energy - kinetic)
         )
         self._kinetic = kinetic
         # Velocities have had the whole step's force but belong to its middle: half a step's work brings both together.
@@ -225,13 +293,25 @@ class Solver(Body):
         ledger.strain += work.stress - work.plastic
         self.wall_impulse += push.impulse
         self.wall_force = push.impulse / kick
-        self._reactions = {name: impulse / kick for name, impulse in self._supports.impulses.items()}
+        self._reactions = {name: impulse / kick for name, impulse in hold.impulses.items()}
         self._fastest = (math.sqrt(float(sums[:, SPEED].max())), work.wave_speed, work.viscous_pressure)
 
     def _stable_step(self, speed: float, wave_speed: float, viscous_pressure: float) -> float:
         relative = viscous_pressure / (self.material.density * wave_speed**2)
         damping = damped_step_factor(self.points.viscosity, relative)
-        return self.cfl * damping * self.cell_size / (wave_speed + speed)
+        step = self.cfl * damping * self.cell_size / self._fastest_wave(speed, wave_speed)
+        return step if self._conduction is None else min(step, self._conduction.limit)
+
+    def _fastest_wave(self, speed: float, wave_speed: float) -> float:
+        """Speed [m/s] of what moves fastest through the grid: waves, and particles where they cross it."""
+        if self._waves is None:
+            return wave_speed + speed
+        points = self.points
+        self.threads.run(
+            pull_back, len(self._waves), self.geometry, points.old_deformation_gradient, points.wave_speed,
+            self.cell_size, points.lengths, self._waves,
+        )  # fmt: skip
+        return math.sqrt(float(self._waves.max()))
 
     def _check_inside(self, particle: int) -> None:
         """Raise RunFailure for a particle that no grid could hold."""
@@ -251,9 +331,8 @@ class Solver(Body):
         """Kinetic energy of the particles as they are, affine part included [J]."""
         squares = (self.velocities**2).sum(axis=1)
         if self.affine is not None and self.affine.any():
-            squares += (self._background.spreads(self.positions)[:, None, :] * self.affine**2).sum(
-                axis=(1, 2)
-            )
+            carried = self._background.carried(self._places, self.affine)
+            squares += (carried * self.affine).sum(axis=(1, 2))
         return 0.5 * float((self.particle_mass * squares).sum())
 
     def kinetic_energy(self) -> float:
@@ -268,7 +347,11 @@ class Solver(Body):
         x, v = self.positions, self.velocities
         spin = np.einsum("nj,ni->nij", x, v)
         if self.affine is not None:
-            spin += self._background.spreads(x)[:, None, :] * self.affine
+            carried = self._background.carried(self._places, self.affine)
+            if isinstance(self.configuration, Total):
+                d = x.shape[1]
+                carried = carried @ self.points.old_deformation_gradient[:, :d, :d].transpose(0, 2, 1)
+            spin += carried
         spin = (self.particle_mass[:, None, None] * spin).sum(axis=0)
         whole = spin - spin.T
         return float(whole[1, 0]) if len(whole) == 2 else np.array([whole[2, 1], whole[0, 2], whole[1, 0]])
@@ -280,12 +363,12 @@ class Solver(Body):
         """
         mirrors = self._background.mirrors
         known = [
-            *self._supports.impulses,
+            *self._supports.names,
             *(mirror_name for mirror in mirrors for mirror_name in mirror.names),
         ]
         if name not in known:
             raise SceneError(f"boundary {name!r} exerts no force of its own; {suggestion(name, known)}")
-        if name in self._supports.impulses:
+        if name in self._supports.names:
             return self._reactions.get(name, np.zeros(self.mesh.dimension)).copy()
         return self._background.mirror_force(next(m for m in mirrors if name in m.names))
 

@@ -22,18 +22,20 @@ from mpm.surface import Surface
 
 MOST_ITERATIONS = 60
 CLOSE = 1e-8  # of the largest velocity to be corrected
+ROUND_OFF = 1e-13  # of the largest velocity: changes smaller than that are none
 
 
 class Hold(NamedTuple):
     """What supports did in a step [J].
 
     work : impulses times prescribed velocities. lost : where the body starts with other velocities.
-    energy : that was added to the kinetic energy of the grid.
+    energy : that was added to the kinetic energy of the grid. impulses : (d,) [N s] by boundary.
     """
 
-    work: float = 0.0
-    lost: float = 0.0
-    energy: float = 0.0
+    work: float
+    lost: float
+    energy: float
+    impulses: dict[str, np.ndarray]
 
 
 class Supports:
@@ -47,14 +49,13 @@ class Supports:
     def __init__(self, loads: tuple[Load, ...], particles: Particles, geometry: Geometry) -> None:
         self._dimension = particles.positions.shape[1]
         held = supports(loads, self._dimension)
-        names = list(dict.fromkeys(load.boundary for load in held))
+        self.names = list(dict.fromkeys(load.boundary for load in held))
         self._surfaces = {
-            name: Surface(particles.faces[name], particles.positions, geometry) for name in names
+            name: Surface(particles.faces[name], particles.positions, geometry) for name in self.names
         }
         self._by_axis: list[list[Prescribed]] = [
             [load for load in held if load.component == axis] for axis in range(self._dimension)
         ]
-        self.impulses = {name: np.zeros(self._dimension) for name in names}
 
     def impose(
         self,
@@ -68,9 +69,11 @@ class Supports:
 
         starting : whether this is the body's first step.
         """
-        for impulse in self.impulses.values():
-            impulse[:] = 0.0
-        places = {name: s.points(positions, deformation_gradient) for name, s in self._surfaces.items()}
+        total = {name: np.zeros(self._dimension) for name in self.names}
+        places = {
+            name: s.places(background.configuration, positions, deformation_gradient)
+            for name, s in self._surfaces.items()
+        }
         work, lost, energy = 0.0, 0.0, 0.0
         for axis, loads in enumerate(self._by_axis):
             if not loads:
@@ -83,7 +86,8 @@ class Supports:
                 ]
             )
             found = anchors.after(axis)
-            impulses = solve(anchors, axis, wanted - found)
+            scale = max(float(np.abs(wanted).max()), float(np.abs(found).max()))
+            impulses = solve(anchors, axis, wanted - found, ROUND_OFF * scale)
             anchors.push(axis, impulses)
             reached = anchors.after(axis)
             work += float((impulses * reached).sum())
@@ -91,15 +95,18 @@ class Supports:
             energy += 0.5 * float((impulses * (found + reached)).sum())
             cuts = np.cumsum([len(places[load.boundary]) for load in loads])[:-1]
             for load, part in zip(loads, np.split(impulses, cuts), strict=True):
-                self.impulses[load.boundary][axis] += part.sum()
-        return Hold(work, lost, energy)
+                total[load.boundary][axis] += part.sum()
+        return Hold(work, lost, energy, total)
 
 
-def solve(anchors: Anchors, axis: int, wanted: np.ndarray) -> np.ndarray:
-    """Impulses (k,) [N s] at the points that change their velocities by `wanted` (k,) [m/s]: conjugate gradients."""
+def solve(anchors: Anchors, axis: int, wanted: np.ndarray, smallest: float) -> np.ndarray:
+    """Impulses (k,) [N s] at the points that change their velocities by `wanted` (k,) [m/s]: conjugate gradients.
+
+    smallest : change of velocity [m/s] that does not matter.
+    """
     impulses, rest = np.zeros_like(wanted), wanted.copy()
     direction, square = rest.copy(), float((rest * rest).sum())
-    goal = CLOSE * float(np.abs(wanted).max())
+    goal = max(CLOSE * float(np.abs(wanted).max()), smallest)
     for _ in range(MOST_ITERATIONS):
         if float(np.abs(rest).max()) <= goal:
             break

@@ -4,6 +4,7 @@ import numpy as np
 
 from core_models.geometry import Axisymmetric, Geometry
 from meshes.facets import facet_vectors
+from mpm.configurations import Total, Updated
 from mpm.particles import Faces
 from mpm.shape import deformed
 
@@ -14,10 +15,12 @@ class Surface:
     Parameters
     ----------
     faces : of the boundary. reference : (n, d) positions of the particles in the reference body [m].
+
+    particles : (k,) numbers of the particles whose faces they are.
     """
 
     def __init__(self, faces: Faces, reference: np.ndarray, geometry: Geometry) -> None:
-        self._particles, self._corners = faces.particles, faces.corners
+        self.particles, self._corners = faces.particles, faces.corners
         self._middles = _middles(faces.corners)
         self._revolved = isinstance(geometry, Axisymmetric)
         self.reference_points = reference[faces.particles] + self._middles[:, 0]
@@ -25,13 +28,21 @@ class Surface:
 
     def points(self, positions: np.ndarray, deformation_gradient: np.ndarray) -> np.ndarray:
         """Current middles (k, d) [m] of the faces."""
-        return deformed(self._particles, self._middles, positions, deformation_gradient)[:, 0]
+        return deformed(self.particles, self._middles, positions, deformation_gradient)[:, 0]
+
+    def places(
+        self, configuration: Updated | Total, positions: np.ndarray, deformation_gradient: np.ndarray
+    ) -> np.ndarray:
+        """Where the middles (k, d) [m] lie in the body that the grid covers."""
+        if isinstance(configuration, Total):
+            return self.reference_points
+        return self.points(positions, deformation_gradient)
 
     def area_vectors(
         self, points: np.ndarray, positions: np.ndarray, deformation_gradient: np.ndarray
     ) -> np.ndarray:
         """Current outward normals (k, d) of the faces, as long as their areas [m^2]; `points` are their middles."""
-        corners = deformed(self._particles, self._corners, positions, deformation_gradient)
+        corners = deformed(self.particles, self._corners, positions, deformation_gradient)
         return self._vectors(corners, points)
 
     def _vectors(self, corners: np.ndarray, points: np.ndarray) -> np.ndarray:

@@ -17,7 +17,9 @@ from mpm.lanes import add_to, load, store
 
 WIDEST = EDGE + 3  # nodes along the edge of the largest tile
 # First number of each table of a stencil; four numbers per node along an axis.
-WEIGHTS, SLOPES, MOMENTS, OFFSETS = 0, 16, 32, 48
+WEIGHTS, SLOPES, MOMENTS, OFFSETS, LEVERS = 0, 16, 32, 48, 64
+
+STENCIL = 80
 
 
 class Scratch(NamedTuple):
@@ -31,7 +33,7 @@ class Scratch(NamedTuple):
 def make_scratch(dimension: int) -> Scratch:
     """Scratch for one thread."""
     nodes = WIDEST**dimension
-    return Scratch(np.zeros(RECORD * nodes), np.zeros(VELOCITY * nodes), np.zeros(64))
+    return Scratch(np.zeros(RECORD * nodes), np.zeros(VELOCITY * nodes), np.zeros(STENCIL))
 
 
 @inside_kernel
@@ -123,9 +125,11 @@ def put(stencil, table, values, scale):
 
 @inside_kernel
 def put_offsets(stencil, shape, t, h):
-    """Write the distances from the particle to its nodes [m]."""
+    """Write the distances from the particle to its nodes, and their products with the weights [m]."""
     for node in range(reach(shape)):
-        store(stencil, OFFSETS + 4 * node, (node - middle(shape) - t) * h)
+        offset = (node - middle(shape) - t) * h
+        store(stencil, OFFSETS + 4 * node, offset)
+        store(stencil, LEVERS + 4 * node, load(stencil, WEIGHTS + 4 * node) * offset)
 
 
 @inside_kernel

@@ -14,27 +14,18 @@ import numpy as np
 from core_models.compilation import kernel
 from core_models.dispatch import generic
 from core_models.state import read
-from mpm.geometries import column, depth_of, hoop_force, stand, vector
-from mpm.grid import FORCE, RECORD, block_corner
-from mpm.interpolation import reach
-from mpm.lanes import add_to, fused, lanes
-from mpm.tile import (
-    OFFSETS,
-    SLOPES,
-    WEIGHTS,
-    add_tile,
-    clear_tile,
-    edge_of,
-    place_in_tile,
-    put_offsets,
-    put_stencil,
-)
+from mpm.configurations import pulls
+from mpm.exchange import give
+from mpm.geometries import column, hoop_force, stand, vector
+from mpm.grid import RECORD, block_corner
+from mpm.lanes import lanes
+from mpm.tile import add_tile, clear_tile, place_in_tile
 
 
 @kernel
 def to_grid(
     first, last, scratch, geometry, shape, grid, order, offset, positions, velocities, affine, density, volumes,
-    volume_ratio, stress, viscous, forces,
+    volume_ratio, gradients, stress, viscous, forces, configuration,
 ):  # fmt: skip
     """Add mass, momentum and force of the particles of some homes to the grid.
 
@@ -43,10 +34,10 @@ def to_grid(
     first, last : homes of one colour, counted from `offset` in grid.homes; two of one colour share no node.
     positions, velocities (n, d). affine (n, d, d) [1/s] or None. density [kg/m^3] : in the reference body.
     volumes (n,) : reference [m^3]. volume_ratio (n,). stress (n, 6) [Pa]. viscous (n,) [Pa] or None.
-    forces (n, d) : on the particles [N], or None.
+    forces (n, d) : on the particles [N], or None. configuration : what positions and stress belong to
+    (mpm.configurations); in the total one, gradients (n, 3, 3) turn the stress into that of the reference body.
     """
     tile, stencil = scratch.tile, scratch.stencil
-    edge, nodes, depth = edge_of(shape), reach(shape), depth_of(geometry, shape)
     for number in range(offset + first, offset + last):
         home = grid.homes[number]
         corner = block_corner(grid, home)
@@ -55,40 +46,21 @@ def to_grid(
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
             start = place_in_tile(shape, corner, i, j, k)
-            put_stencil(stencil, geometry, shape, p, t, grid.over_h)
-            put_offsets(stencil, shape, t, grid.h)
             mass = density * volumes[p]
             momentum = mass * vector(geometry, velocities, p, 1.0)
             spin_x = momentum_slope(affine, geometry, p, 0, mass)
             spin_y = momentum_slope(affine, geometry, p, 1, mass)
             spin_z = momentum_slope(affine, geometry, p, 2, mass)
-            volume = -volumes[p] * volume_ratio[p]
             q = read(viscous, p, 0.0)
-            t_xx, t_yy, t_zz = (
-                volume * (stress[p, 0] - q),
-                volume * (stress[p, 1] - q),
-                volume * (stress[p, 2] - q),
-            )
-            t_xy, t_yz, t_zx = volume * stress[p, 3], volume * stress[p, 4], volume * stress[p, 5]
-            pull_x, pull_y = lanes(t_xx, t_xy, t_zx, 0.0), lanes(t_xy, t_yy, t_yz, 0.0)
-            pull_z = lanes(t_zx, t_yz, t_zz, 0.0)
-            carried = force_on(forces, geometry, p) + hoop_force(geometry, positions, p, t_zz)
-            for c in range(depth):
-                n_z, s_z = stencil[WEIGHTS + 4 * c + 2], stencil[SLOPES + 4 * c + 2]
-                at_z = fused(stencil[OFFSETS + 4 * c + 2], spin_z, momentum)
-                for b in range(nodes):
-                    n_y, s_y = stencil[WEIGHTS + 4 * b + 1], stencil[SLOPES + 4 * b + 1]
-                    n_yz = n_y * n_z
-                    moved = n_yz * fused(stencil[OFFSETS + 4 * b + 1], spin_y, at_z)
-                    turned = n_yz * spin_x
-                    force = fused(s_y * n_z, pull_y, fused(n_y * s_z, pull_z, n_yz * carried))
-                    pull = n_yz * pull_x
-                    row = RECORD * (start + edge * (b + edge * c))
-                    for a in range(nodes):
-                        n_x, s_x = stencil[WEIGHTS + 4 * a], stencil[SLOPES + 4 * a]
-                        to = row + RECORD * a
-                        add_to(tile, to, fused(n_x, moved, n_x * stencil[OFFSETS + 4 * a] * turned))
-                        add_to(tile, to + FORCE, fused(n_x, force, s_x * pull))
+            pull_x, pull_y, pull_z, hoop = pulls(
+                configuration, geometry, gradients, p, volumes[p], volume_ratio[p], stress[p, 0] - q,
+                stress[p, 1] - q, stress[p, 2] - q, stress[p, 3], stress[p, 4], stress[p, 5],
+            )  # fmt: skip
+            carried = force_on(forces, geometry, p) + hoop_force(geometry, positions, p, hoop)
+            give(
+                shape, geometry, grid, stencil, tile, start, p, t, momentum, spin_x, spin_y, spin_z, carried, pull_x,
+                pull_y, pull_z,
+            )  # fmt: skip
         add_tile(geometry, shape, grid, home, tile)
 
 

@@ -8,29 +8,20 @@ With v the grid's velocity after the forces, L = sum v_i grad N_i, and S w = sum
     flip        own = alpha, share = -alpha, w = velocity before the forces
     xpic        own = 0, share = 1, w = the filtered velocity before the forces less that velocity (mpm.xpic)
 
-D is diagonal, since the interpolations reproduce linear fields axis by axis.
+For products of functions along the axes D is diagonal, since they reproduce linear fields axis by axis.
 Sources: Brackbill & Ruppel, J. Comput. Phys. 65 (1986) 314; Jiang et al., ACM Trans. Graph. 34 (2015) 51.
 """
 
 import numpy as np
 
-from core_models.compilation import inside_kernel, kernel
+from core_models.compilation import kernel
 from core_models.dispatch import generic
-from mpm.geometries import deform, depth_of, put_columns, put_vector, stand, vector
+from mpm.configurations import deform_particle
+from mpm.exchange import interpolate_second, take, times_moment, total
+from mpm.geometries import put_columns, put_vector, stand, vector
 from mpm.grid import VELOCITY, block_corner
-from mpm.interpolation import half_size, reach, spread
-from mpm.lanes import fused, lane, lanes, load
-from mpm.tile import (
-    MOMENTS,
-    SLOPES,
-    WEIGHTS,
-    edge_of,
-    fetch_second,
-    fetch_tile,
-    place_in_tile,
-    put_moments,
-    put_stencil,
-)
+from mpm.lanes import fused, lanes
+from mpm.tile import fetch_second, fetch_tile, place_in_tile
 
 ENERGY, SPEED = 0, 1
 
@@ -38,109 +29,45 @@ ENERGY, SPEED = 0, 1
 @kernel
 def to_particles(
     first, last, scratch, geometry, shape, grid, order, dt, positions, velocities, affine, second, second_size, own,
-    share, density, volumes, old_gradient, new_gradient, moves, new_velocities, volume_ratio, sums,
+    share, density, volumes, old_gradient, new_gradient, moves, new_velocities, volume_ratio, configuration, sums,
 ):  # fmt: skip
     """Deform the particles with the grid's velocity and give them new velocities.
 
     Parameters
     ----------
     first, last : homes, in the order of grid.homes. second : flat field w on the grid with records of second_size
-    numbers, or None. own, share : see above. density : [kg/m^3]. volumes (n,) : reference [m^3].
-    Written: new_gradient; moves (n, d), the velocity S v that particles move with [m/s]; new_velocities (n, d), which
-    may be the same array where second is None; volume_ratio (n,), det F; affine (n, d, d) or None; sums (homes, 2),
+    numbers, or None. own, share : see above. density : [kg/m^3]. volumes (n,) : reference [m^3]. configuration : says
+    what F becomes (mpm.configurations).
+    Written: new_gradient; new_velocities (n, d); moves (n, d), the velocity S v that particles move with [m/s], or
+    None where that is the new one; volume_ratio (n,), det F; affine (n, d, d) or None; sums (homes, 2),
     kinetic energy [J] (affine part included) and largest squared speed [m^2/s^2].
     """
     tile, stencil = scratch.tile, scratch.stencil
-    edge, nodes, depth = edge_of(shape), reach(shape), depth_of(geometry, shape)
-    zero = lanes(0.0, 0.0, 0.0, 0.0)
     for number in range(first, last):
         home = grid.homes[number]
         corner = block_corner(grid, home)
         fetch_tile(geometry, shape, grid, home, grid.after, VELOCITY, tile)
         fetch_second(second, geometry, shape, grid, home, second_size, scratch.second)
-        energy, fastest = 0.0, 0.0
+        energy, fastest = lanes(0.0, 0.0, 0.0, 0.0), 0.0
         for place in range(order.start[home], order.start[home + 1]):
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
             start = place_in_tile(shape, corner, i, j, k)
-            put_stencil(stencil, geometry, shape, p, t, grid.over_h)
-            put_moments(affine, stencil, geometry, shape, p, t, grid.over_h)
-            v, l_x, l_y, l_z, c_x, c_y, c_z = zero, zero, zero, zero, zero, zero, zero
-            for c in range(depth):
-                n, n_x, n_y, n_u, n_w = zero, zero, zero, zero, zero
-                for b in range(nodes):
-                    row = VELOCITY * (start + edge * (b + edge * c))
-                    m, m_x, m_u = zero, zero, zero
-                    for a in range(nodes):
-                        u = load(tile, row + VELOCITY * a)
-                        m = fused(stencil[WEIGHTS + 4 * a], u, m)
-                        m_x = fused(stencil[SLOPES + 4 * a], u, m_x)
-                        m_u = fused(stencil[MOMENTS + 4 * a], u, m_u)
-                    weight = stencil[WEIGHTS + 4 * b + 1]
-                    n = fused(weight, m, n)
-                    n_x = fused(weight, m_x, n_x)
-                    n_u = fused(weight, m_u, n_u)
-                    n_y = fused(stencil[SLOPES + 4 * b + 1], m, n_y)
-                    n_w = fused(stencil[MOMENTS + 4 * b + 1], m, n_w)
-                weight = stencil[WEIGHTS + 4 * c + 2]
-                v = fused(weight, n, v)
-                l_x = fused(weight, n_x, l_x)
-                l_y = fused(weight, n_y, l_y)
-                l_z = fused(stencil[SLOPES + 4 * c + 2], n, l_z)
-                c_x = fused(weight, n_u, c_x)
-                c_y = fused(weight, n_w, c_y)
-                c_z = fused(stencil[MOMENTS + 4 * c + 2], n, c_z)
+            v, l_x, l_y, l_z, c_x, c_y, c_z = take(shape, affine, geometry, grid, stencil, tile, start, p, t)
             put_affine(affine, geometry, p, c_x, c_y, c_z)
-            put_vector(geometry, moves, p, v)
-            volume_ratio[p] = deform(geometry, old_gradient, new_gradient, p, dt, l_x, l_y, l_z, v, positions)
-            w = interpolate_second(second, geometry, shape, scratch.second, stencil, start)
+            put_moves(moves, geometry, p, v)
+            volume_ratio[p] = deform_particle(
+                configuration, geometry, old_gradient, new_gradient, p, dt, l_x, l_y, l_z, v, positions
+            )
+            w = interpolate_second(second, shape, geometry, stencil, scratch.second, start)
             v = new_velocity(second, geometry, velocities, p, own, share, v, w)
             put_vector(geometry, new_velocities, p, v)
-            square = squared(v)
-            affine_part = affine_square(affine, geometry, shape, p, t, grid.h, grid.over_h, c_x, c_y, c_z)
-            energy += 0.5 * density * volumes[p] * (square + affine_part)
-            fastest = max(fastest, square)
-        sums[number, ENERGY] = energy
+            squares = v * v
+            fastest = max(fastest, total(squares))
+            squares = add_affine(affine, shape, geometry, grid, p, t, c_x, c_y, c_z, squares)
+            energy = fused(0.5 * density * volumes[p], squares, energy)
+        sums[number, ENERGY] = total(energy)
         sums[number, SPEED] = fastest
-
-
-@inside_kernel
-def squared(v):
-    """Squared length of a vector in lanes 0 ... 2."""
-    return lane(v, 0) * lane(v, 0) + lane(v, 1) * lane(v, 1) + lane(v, 2) * lane(v, 2)
-
-
-@inside_kernel
-def interpolate(geometry, shape, tile, stencil, start):
-    """A field in a tile of velocities at the particle whose weights are in the stencil."""
-    edge, nodes = edge_of(shape), reach(shape)
-    zero = lanes(0.0, 0.0, 0.0, 0.0)
-    v = zero
-    for c in range(depth_of(geometry, shape)):
-        n = zero
-        for b in range(nodes):
-            row = VELOCITY * (start + edge * (b + edge * c))
-            m = zero
-            for a in range(nodes):
-                m = fused(stencil[WEIGHTS + 4 * a], load(tile, row + VELOCITY * a), m)
-            n = fused(stencil[WEIGHTS + 4 * b + 1], m, n)
-        v = fused(stencil[WEIGHTS + 4 * c + 2], n, v)
-    return v
-
-
-@generic
-def interpolate_second(second, geometry, shape, tile, stencil, start):
-    """`interpolate` of a second field, or 0 where there is none."""
-
-
-@interpolate_second.register(np.ndarray)
-def _(second, geometry, shape, tile, stencil, start):
-    return interpolate(geometry, shape, tile, stencil, start)
-
-
-@interpolate_second.register(type(None))
-def _(second, geometry, shape, tile, stencil, start):
-    return lanes(0.0, 0.0, 0.0, 0.0)
 
 
 @generic
@@ -174,17 +101,31 @@ def _(affine, geometry, p, x, y, z):
 
 
 @generic
-def affine_square(affine, geometry, shape, p, t, h, over_h, x, y, z):
-    """Mean square of the affine velocity with columns x, y, z over its particle, sum D_a C_a . C_a [m^2/s^2]."""
+def add_affine(affine, shape, geometry, grid, p, t, x, y, z, squares):
+    """Add the mean square of the affine velocity C with columns x, y, z over its particle, (C D) . C [m^2/s^2]."""
 
 
-@affine_square.register(np.ndarray)
-def _(affine, geometry, shape, p, t, h, over_h, x, y, z):
-    d = h * h * spread(shape, t, half_size(shape, p, over_h))
-    square = lane(d, 0) * squared(x) + lane(d, 1) * squared(y)
-    return square + lane(d, 2) * squared(z)
+@add_affine.register(np.ndarray)
+def _(affine, shape, geometry, grid, p, t, x, y, z, squares):
+    c_x, c_y, c_z = times_moment(shape, geometry, grid, p, t, x, y, z)
+    return fused(c_x, x, fused(c_y, y, fused(c_z, z, squares)))
 
 
-@affine_square.register(type(None))
-def _(affine, geometry, shape, p, t, h, over_h, x, y, z):
-    return 0.0
+@add_affine.register(type(None))
+def _(affine, shape, geometry, grid, p, t, x, y, z, squares):
+    return squares
+
+
+@generic
+def put_moves(moves, geometry, p, v):
+    """Write the velocity that particle p moves with, if it is kept by itself."""
+
+
+@put_moves.register(np.ndarray)
+def _(moves, geometry, p, v):
+    put_vector(geometry, moves, p, v)
+
+
+@put_moves.register(type(None))
+def _(moves, geometry, p, v):
+    return

@@ -15,12 +15,10 @@ import numpy as np
 
 from core_models.compilation import kernel
 from mpm.background import Background
-from mpm.geometries import depth_of, stand
+from mpm.exchange import smooth
+from mpm.geometries import stand
 from mpm.grid import MASS, RECORD, VELOCITY, block_corner, block_nodes, clear
-from mpm.interpolation import reach
-from mpm.lanes import add_to
-from mpm.tile import WEIGHTS, add_velocities, clear_tile, edge_of, fetch_tile, place_in_tile, put_stencil
-from mpm.to_particles import interpolate
+from mpm.tile import add_velocities, clear_tile, fetch_tile, place_in_tile
 
 
 @kernel
@@ -32,7 +30,6 @@ def resample(
     first, last, offset : as in `to_grid`. source : flat field v with records of `size` numbers. momenta : flat.
     """
     tile, stencil, field = scratch.tile, scratch.stencil, scratch.second
-    edge, nodes = edge_of(shape), reach(shape)
     for number in range(offset + first, offset + last):
         home = grid.homes[number]
         corner = block_corner(grid, home)
@@ -42,14 +39,7 @@ def resample(
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
             start = place_in_tile(shape, corner, i, j, k)
-            put_stencil(stencil, geometry, shape, p, t, grid.over_h)
-            momentum = density * volumes[p] * interpolate(geometry, shape, field, stencil, start)
-            for c in range(depth_of(geometry, shape)):
-                for b in range(nodes):
-                    row = VELOCITY * (start + edge * (b + edge * c))
-                    part = stencil[WEIGHTS + 4 * b + 1] * stencil[WEIGHTS + 4 * c + 2] * momentum
-                    for a in range(nodes):
-                        add_to(tile, row + VELOCITY * a, stencil[WEIGHTS + 4 * a] * part)
+            smooth(shape, geometry, grid, stencil, tile, field, start, p, t, density * volumes[p])
         add_velocities(geometry, shape, grid, home, tile, momenta)
 
 

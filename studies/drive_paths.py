@@ -13,16 +13,15 @@ from core_models.names import suggestion
 
 @dataclass(frozen=True)
 class DrivePath:
-    """A path: its program, what its strain is called and how it follows from F (k, 3, 3), and the stress it works with.
+    """A path: its program, what its strain is called and how it follows from F (k, 3, 3).
 
-    stress: component of the stress vector (11, 22, 33, 12, 23, 31) that the strain drives, and its name.
+    stress: number of the component of the stress vector (11, 22, 33, 12, 23, 31) that the strain drives.
     """
 
     make: Callable[..., Program]
     strain: str
     measure: Callable[[np.ndarray], np.ndarray]
     stress: int
-    stress_name: str
 
 
 def _true_strain(f: np.ndarray) -> np.ndarray:
@@ -38,13 +37,13 @@ def _volume_strain(f: np.ndarray) -> np.ndarray:
 
 
 PATHS = {
-    "uniaxial-stress": DrivePath(loading_paths.uniaxial_stress, "true strain 11", _true_strain, 0, "11"),
-    "uniaxial-strain": DrivePath(loading_paths.uniaxial_strain, "true strain 11", _true_strain, 0, "11"),
-    "plane-strain": DrivePath(loading_paths.plane_strain, "true strain 11", _true_strain, 0, "11"),
-    "biaxial": DrivePath(loading_paths.biaxial, "true strain 11", _true_strain, 0, "11"),
-    "simple-shear": DrivePath(loading_paths.simple_shear, "shear 12", _shear, 3, "12"),
-    "volumetric": DrivePath(loading_paths.volumetric, "ln J", _volume_strain, 0, "11"),
-    "cyclic": DrivePath(loading_paths.cyclic, "true strain 11", _true_strain, 0, "11"),
+    "uniaxial-stress": DrivePath(loading_paths.uniaxial_stress, "true strain 11", _true_strain, 0),
+    "uniaxial-strain": DrivePath(loading_paths.uniaxial_strain, "true strain 11", _true_strain, 0),
+    "plane-strain": DrivePath(loading_paths.plane_strain, "true strain 11", _true_strain, 0),
+    "biaxial": DrivePath(loading_paths.biaxial, "true strain 11", _true_strain, 0),
+    "simple-shear": DrivePath(loading_paths.simple_shear, "shear 12", _shear, 3),
+    "volumetric": DrivePath(loading_paths.volumetric, "ln J", _volume_strain, 0),
+    "cyclic": DrivePath(loading_paths.cyclic, "true strain 11", _true_strain, 0),
 }
 
 

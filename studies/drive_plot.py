@@ -8,8 +8,9 @@ import numpy as np
 from core_models.atomic import replacing
 from core_models.errors import SceneError, UnsupportedError
 from core_models.names import suggestion
+from studies.display import shown_title
 from studies.drive_columns import SYMMETRIC
-from studies.drive_text import MEGA, settled
+from studies.drive_text import MEGA, scalars, settled
 from studies.driving import DriveResult
 from studies.report.drawing import FAINT, GRID, INK, PANEL, STYLE
 
@@ -17,6 +18,8 @@ FORMATS = (".svg", ".png", ".pdf")
 PAPER = {INK: "#1b1f24", FAINT: "#69727d", GRID: "#e3e6ea"}  # the light colours of the report
 BLUE, ORANGE, GREY = "#1f6feb", "#d9580d", "#8c8c8c"
 OTHERS = ("#2a9d8f", "#9467bd", "#b8860b", "#d18cc0", "#6b8e23", "#3b7dd8")
+SHARES = {"plastic strain": BLUE, "damage": ORANGE}
+UNSHOWN = ("internal energy MJ/m^3", "hardening MPa")
 DASHES = ("-", (0, (4, 2)), (0, (1, 1.5)))  # lines of equal values show both
 TOLD = 0.01  # of the largest stress: a smaller component gets no line
 
@@ -83,14 +86,10 @@ def _panels(result: DriveResult) -> Iterator[Panel]:
     ]
     lines = [(SYMMETRIC[k], stress[:, k], colour) for k, colour in zip(others, OTHERS, strict=False)]
     yield "Pressure and other stresses [MPa]", strain, [*lines, ("pressure", history.pressure * MEGA, GREY)]
-    shares = {"equivalent_plastic_strain": ("plastic strain", BLUE), "damage": ("damage", ORANGE)}
-    found = [
-        (label, history.fields[name], colour)
-        for name, (label, colour) in shares.items()
-        if name in history.fields
-    ]
+    state = scalars(history)
+    found = [(name, state[name], colour) for name, colour in SHARES.items() if name in state]
     if found:
-        yield " and ".join(label for label, *_ in found).capitalize(), steady, found
-    temperature = history.fields.get("temperature")
-    if temperature is not None:
-        yield "Temperature [K]", steady, [("temperature", temperature, BLUE)]
+        yield shown_title(" and ".join(name for name, *_ in found)), steady, found
+    for name, values in state.items():
+        if name not in (*SHARES, *UNSHOWN):
+            yield shown_title(name), steady, [(name, values, BLUE)]

@@ -4,7 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from core_models.driver import History
 from core_models.laws import melting_temperature
+from core_models.loading import STRESS_COLUMN
 from studies.drive_columns import SYMMETRIC
 from studies.driving import DriveResult, MaterialTest
 from studies.text_table import aligned
@@ -12,12 +14,11 @@ from studies.text_table import aligned
 ROWS = 10
 MEGA = 1e-6
 TOLERANCE = 1e-8  # of the largest stress: what free components are zero to
-FULL_OF_SYMMETRIC = np.array([[0, 3, 5], [3, 1, 4], [5, 4, 2]])
-SCALARS = {  # field: heading, factor
+HEADINGS = {  # field: heading, factor; other scalars go by their own names
     "equivalent_plastic_strain": ("plastic strain", 1.0),
     "hardening_variable": ("hardening MPa", MEGA),
     "temperature": ("temperature K", 1.0),
-    "damage": ("damage", 1.0),
+    "internal_energy": ("internal energy MJ/m^3", MEGA),
 }
 
 
@@ -38,20 +39,28 @@ def _head(test: MaterialTest) -> str:
 
 
 def shown_columns(result: DriveResult) -> dict[str, np.ndarray]:
-    """What the table shows by heading: strain or time, stresses [MPa], and the scalars of the state."""
-    test, history = result.test, result.history
-    stress = settled(history.stress)
-    if test.path is None:
-        found = {"time s": history.times}
-        found |= {f"s{name} MPa": stress[:, k] * MEGA for k, name in enumerate(SYMMETRIC)}
+    """What the table shows by heading: time, strain, stresses [MPa], and the scalars of the state."""
+    path, history = result.test.path, result.history
+    stress = settled(history.stress) * MEGA
+    found = {"time s": history.times}
+    if path is None:
+        found |= {f"s{name} MPa": stress[:, k] for k, name in enumerate(SYMMETRIC)}
     else:
-        path = test.path
-        found = {path.strain: path.measure(history.deformation_gradient)}
-        found[f"stress {path.stress_name} MPa"] = stress[:, path.stress] * MEGA
+        found[path.strain] = path.measure(history.deformation_gradient)
+        found[f"s{SYMMETRIC[path.stress]} MPa"] = stress[:, path.stress]
     found |= {"mises MPa": history.mises * MEGA, "pressure MPa": history.pressure * MEGA}
-    for name, (heading, factor) in SCALARS.items():
-        if name in history.fields:
-            found[heading] = history.fields[name] * factor
+    found |= scalars(history)
+    found.pop(HEADINGS["internal_energy"][0], None)
+    return found
+
+
+def scalars(history: History) -> dict[str, np.ndarray]:
+    """The scalar fields of the state by heading (k,)."""
+    found = {}
+    for name, values in history.fields.items():
+        if values.ndim == 1:
+            heading, factor = HEADINGS.get(name, (name.replace("_", " "), 1.0))
+            found[heading] = values * factor
     return found
 
 
@@ -78,10 +87,9 @@ def _final(result: DriveResult) -> Iterator[list[str]]:
     history = result.history
     yield ["final state", "", "", ""]
     yield from _matrix("  deformation gradient", history.deformation_gradient[-1])
-    yield from _matrix("  stress MPa", settled(history.stress)[-1][FULL_OF_SYMMETRIC] * MEGA)
-    for name, (heading, factor) in SCALARS.items():
-        if name in history.fields:
-            yield [f"  {heading}", _shown(history.fields[name][-1] * factor), "", ""]
+    yield from _matrix("  stress MPa", settled(history.stress)[-1][STRESS_COLUMN] * MEGA)
+    for heading, values in scalars(history).items():
+        yield [f"  {heading}", _shown(values[-1]), "", ""]
     yield ["  volume ratio J", _shown(np.linalg.det(history.deformation_gradient[-1])), "", ""]
     yield ["  stress work MJ/m^3", _shown(history.stress_work[-1] * MEGA), "", ""]
     yield ["  dissipated MJ/m^3", _shown(history.plastic[-1] * MEGA), "", ""]

@@ -2,6 +2,8 @@
 
 from math import sqrt
 
+from core_models.conduction import missing_tags
+from core_models.laws import heat_capacity
 from core_models.material import Effect
 from core_models.walls import MEANING
 from studies.scene import Scene
@@ -18,32 +20,35 @@ def _own_effects(scene: Scene, wall: str) -> list[Effect]:
     viscosity = scene.viscosity
     return [
         Effect(f"wall ({wall})", True, f"rigid: {MEANING[wall]}"),
-        Effect(
-            "wall friction",
-            False,
-            "the wall is frictionless: only such walls are offered yet",
-        ),
+        Effect("wall friction", scene.friction > 0.0, _friction_reason(scene)),
         Effect("bulk viscosity", viscosity is not None, _viscosity_reason(viscosity)),
-        Effect("heat conduction", False, _conduction_reason(scene, wall)),
+        Effect("heat conduction", scene.conduction, _conduction_reason(scene, wall)),
         Effect("gravity", False, _gravity_reason(scene, wall)),
         Effect("three dimensions", False, "the scene is axisymmetric; no twist, no buckling"),
     ]
 
 
+def _friction_reason(scene: Scene) -> str:
+    if scene.friction == 0.0:
+        return 'frictionless: the scene gives no coefficient (<wall friction="...">)'
+    return f"the scene asks for it: the wall's tangential force is up to {scene.friction:g} of the normal one"
+
+
 def _conduction_reason(scene: Scene, wall: str) -> str:
-    material = scene.material
-    needed = {
-        "thermal_conductivity": material.thermal_conductivity,
-        "specific_heat": material.specific_heat,
-    }
-    missing = [tag for tag, value in needed.items() if value is None]
+    missing = missing_tags(scene.material)
     if missing:
-        return f"adiabatic: not offered yet, and the card gives no {' and no '.join(missing)}"
-    diffusivity = material.thermal_conductivity / (material.density * material.specific_heat.value)
-    travelled = sqrt(diffusivity * scene.end.limit(wall))
-    return (
-        f"adiabatic: with the card's conductivity heat would travel {travelled * 1e3:.2g} mm; not offered yet"
-    )
+        return f"adiabatic: the card gives no {' and no '.join(missing)}"
+    travelled = f"{_heat_travels(scene, wall) * 1e3:.2g} mm"
+    if scene.conduction:
+        return f"the scene asks for it: heat travels some {travelled}; the bar is insulated"
+    return f"adiabatic: heat would travel some {travelled}; <conduction>on</conduction> turns it on"
+
+
+def _heat_travels(scene: Scene, wall: str) -> float:
+    """How far heat travels by the end, sqrt(k t / (rho c)) [m]."""
+    material = scene.material
+    capacity = material.density * heat_capacity(material.specific_heat, scene.bar.temperature)
+    return sqrt(material.thermal_conductivity / capacity * scene.end.limit(wall))
 
 
 def _gravity_reason(scene: Scene, wall: str) -> str:

@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 
 from core_models.errors import SceneError
 from core_models.loads import Symmetry
+from core_models.walls import Wall
 from studies.bar_mesh import bar_mesh, check_resolution, own_resolution
 from studies.scene import Scene
 from studies.variants import read_variant
@@ -72,7 +73,8 @@ def build_solver(scene: Scene, method: str, resolution: int, wall: str, threads:
         "loads": (Symmetry("symmetry_x"), Symmetry("symmetry_y")) if variant.is_spatial else (),
         "velocity": scene.bar.velocity,
         "temperature": scene.bar.temperature,
-        "wall": wall,
+        "wall": Wall(wall, scene.friction),
+        "conduction": scene.conduction,
         "viscosity": scene.viscosity,
         "threads": threads,
     }

@@ -30,7 +30,7 @@ def plan_text(
         f"{scene.name}: {scene.description}",
         f"bar      L0 {bar.length * 1e3:g} mm, R0 {bar.radius * 1e3:g} mm, "
         f"{-bar.velocity:g} m/s, {bar.temperature:g} K\n"
-        f"wall     {wall}\n"
+        f"wall     {wall}{_friction(scene)}\n"
         f"end      {_end(scene, wall)}\n"
         f"material {_laws(scene.material)}",
         aligned(_effect_rows(scene, wall)),
@@ -44,6 +44,10 @@ def plan_text(
     if scene.unused:
         parts.append("tags that do nothing:\n" + "\n".join(f"  {tag}" for tag in scene.unused))
     return "\n\n".join(parts)
+
+
+def _friction(scene: Scene) -> str:
+    return f", friction {scene.friction:g}" if scene.friction else ""
 
 
 def _laws(material: Material) -> str:

@@ -5,9 +5,10 @@ from math import sqrt
 from pathlib import Path
 
 from core_models.bulk_viscosity import BulkViscosity
+from core_models.conduction import check_conduction
 from core_models.errors import SceneError
 from core_models.material import Material
-from core_models.walls import UNILATERAL, check_wall
+from core_models.walls import UNILATERAL, Wall
 
 
 @dataclass(frozen=True)
@@ -85,8 +86,10 @@ class ReferenceCurve:
 
 @dataclass(frozen=True)
 class Scene:
-    """A bar of one material hitting a rigid frictionless wall at z = 0, axisymmetric about z.
+    """A bar of one material hitting a rigid wall at z = 0, axisymmetric about z.
 
+    wall: the wall's kind; friction: its Coulomb coefficient [-]. conduction: whether heat is conducted in the bar,
+    which is insulated.
     resolutions: method name -> elements or cells across the radius, coarse to fine; a single run takes the
     last. mesh: the user's own quad mesh instead of the cylinder's; laws: the user's own law file, already loaded.
     """
@@ -96,7 +99,9 @@ class Scene:
     bar: Bar
     end: End
     wall: str = UNILATERAL
+    friction: float = 0.0
     viscosity: BulkViscosity | None = field(default_factory=BulkViscosity)
+    conduction: bool = False
     resolutions: dict[str, tuple[int, ...]] = field(default_factory=dict)
     description: str = ""
     references: tuple[Reference, ...] = ()
@@ -106,7 +111,9 @@ class Scene:
     unused: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        check_wall(self.wall)
+        Wall(self.wall, self.friction)
+        if self.conduction:
+            check_conduction(self.material)
 
     @property
     def axial_period(self) -> float:

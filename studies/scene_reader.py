@@ -4,10 +4,11 @@
   <description>...</description>                                   optional
   <material> ... with one geom_object cylinder ... </material>     core_models.cards
   <mesh href="bar.msh"/>  <laws href="my_laws.py"/>                optional, in the scene's folder
-  <wall type="unilateral|plane"/>                                  default unilateral
+  <wall type="unilateral|plane" friction="0.1"/>                   default unilateral, without friction
   <end time="80e-6"/>                                              or:
   <end after="release" latest="150e-6" plane="120e-6"/>            plane: end under a wall without release
   <plastic_heating>off</plastic_heating>                           default: as the card says
+  <conduction>on</conduction>                                      default off: every point keeps its heat
   <bulk_viscosity linear="0.06" quadratic="1.2"/>                  default as here; 0 and 0: off
   <resolution fem="8 12 16" mpm="12 16 24"/>                       elements, cells across the radius
   <reference quantity="foot_radius" value="..." (or low, high) wall="..." source="..."/>       any number
@@ -25,9 +26,10 @@ from lxml import etree
 from core_models import user_laws
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.cards import check_attributes, load_document, named_children, parse_material, refusal
-from core_models.errors import SceneError
+from core_models.conduction import missing_tags
+from core_models.errors import MaterialError, SceneError
 from core_models.material import Material
-from core_models.walls import MEANING, UNILATERAL
+from core_models.walls import MEANING, Wall
 from studies.bar_reader import read_bar
 from studies.methods import METHODS
 from studies.reference_reader import read_curve_entry, read_reference
@@ -45,6 +47,7 @@ TAGS = (
     "wall",
     "end",
     "plastic_heating",
+    "conduction",
     "bulk_viscosity",
     "resolution",
     *REPEATABLE,
@@ -72,13 +75,17 @@ def read_scene(
         if tag not in children:
             raise refusal(root, f"<scene> lacks <{tag}>", "add it", SceneError)
     card = parse_material(children["material"])
+    material = _with_heating(card.material, children.get("plastic_heating"))
+    wall = _wall(children.get("wall"))
     return Scene(
         name=_name(root, path),
-        material=_with_heating(card.material, children.get("plastic_heating")),
+        material=material,
         bar=read_bar(card.bodies, children["material"]),
         end=_end(children["end"]),
-        wall=_wall(children.get("wall")),
+        wall=wall.kind,
+        friction=wall.friction,
         viscosity=_viscosity(children.get("bulk_viscosity")),
+        conduction=_conduction(children.get("conduction"), material),
         resolutions=_resolutions(children.get("resolution")),
         description=" ".join((root.findtext("description") or "").split()),
         references=tuple(read_reference(element) for element in root.findall("reference")),
@@ -118,11 +125,32 @@ def _load_laws(element: etree._Element | None, folder: Path, extra: str | Path |
     return path
 
 
-def _wall(element: etree._Element | None) -> str:
+def _wall(element: etree._Element | None) -> Wall:
     if element is None:
-        return UNILATERAL
-    check_attributes(element, ("type",))
-    return choice(element, "type", tuple(MEANING))
+        return Wall()
+    check_attributes(element, ("type", "friction"))
+    kind = choice(element, "type", tuple(MEANING))
+    try:
+        return Wall(kind, number_attribute(element, "friction", 0.0))
+    except SceneError as error:
+        raise refusal(element, str(error), "delete it for a wall without friction", SceneError) from error
+
+
+def _conduction(element: etree._Element | None, material: Material) -> bool:
+    if element is None:
+        return False
+    check_attributes(element, ())
+    if (element.text or "").strip() not in ("on", "off"):
+        raise refusal(element, "<conduction> is neither on nor off", "write on or off", SceneError)
+    missing = missing_tags(material)
+    if element.text.strip() == "on" and missing:
+        raise refusal(
+            element,
+            f"the card of {material.name} gives no {' and no '.join(missing)}, which conduction needs",
+            "add it, or delete <conduction>",
+            MaterialError,
+        )
+    return element.text.strip() == "on"
 
 
 def _end(element: etree._Element) -> End:

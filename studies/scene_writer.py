@@ -28,10 +28,13 @@ def scene_element(scene: Scene, wall: str) -> etree._Element:
     for tag, path in (("mesh", scene.mesh), ("laws", scene.laws)):
         if path is not None:
             etree.SubElement(root, tag, href=path.name)
-    etree.SubElement(root, "wall", type=wall)
+    friction = {"friction": repr(scene.friction)} if scene.friction else {}
+    etree.SubElement(root, "wall", type=wall, **friction)
     etree.SubElement(root, "end", _end(scene.end))
     coefficients = (0.0, 0.0) if scene.viscosity is None else scene.viscosity
     etree.SubElement(root, "bulk_viscosity", linear=repr(coefficients[0]), quadratic=repr(coefficients[1]))
+    if scene.conduction:
+        etree.SubElement(root, "conduction").text = "on"
     if scene.resolutions:
         numbers = {
             find_method(name).scene_key: " ".join(map(str, of)) for name, of in scene.resolutions.items()

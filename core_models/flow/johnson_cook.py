@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from core_models.elementary import logarithm, power
+from core_models.elementary import exponential, logarithm, power
 from core_models.laws import flow_stress
 
 
@@ -39,25 +39,23 @@ SMALLEST_STRAIN = 1e-12
 @flow_stress.register(JohnsonCook)
 def _(flow, hardening_variable, plastic_strain, plastic_rate, temperature):
     # Without branches, so that the loop over points takes several points per instruction.
-    homologous = min(max((temperature - flow.T_r) / (flow.T_m - flow.T_r), 0.0), 1.0)
+    over_range = 1.0 / (flow.T_m - flow.T_r)
+    homologous = min(max((temperature - flow.T_r) * over_range, 0.0), 1.0)
     softening = power(homologous, flow.m)
     thermal = 1.0 - softening
-    thermal_slope = -flow.m * softening / (max(homologous, SMALLEST_STRAIN) * (flow.T_m - flow.T_r))
+    thermal_slope = -flow.m * softening / max(homologous, SMALLEST_STRAIN) * over_range
     thermal_slope = thermal_slope if 0.0 < homologous < 1.0 else 0.0
     strain = max(plastic_strain, SMALLEST_STRAIN)
-    hardening = flow.B * power(strain, flow.n)
-    slope = hardening / strain
-    is_straight = plastic_strain < SMALLEST_STRAIN
-    hardening = slope * plastic_strain if is_straight else hardening
-    slope = slope if is_straight else flow.n * slope
+    secant = flow.B * exponential((flow.n - 1.0) * logarithm(strain))
+    slope = secant if plastic_strain < SMALLEST_STRAIN else flow.n * secant
+    static = flow.A + secant * plastic_strain
     rate = max(plastic_rate, flow.epdot_0)
-    rate_factor = 1.0 + flow.C * logarithm(rate / flow.epdot_0)
+    rate_factor = 1.0 + flow.C * logarithm(rate * (1.0 / flow.epdot_0))
     rate_slope = flow.C / rate if plastic_rate > flow.epdot_0 else 0.0
-    strength = (flow.A + hardening) * thermal
     return (
-        strength * rate_factor,
+        static * thermal * rate_factor,
         0.0,
-        slope * rate_factor * thermal,
-        strength * rate_slope,
-        (flow.A + hardening) * rate_factor * thermal_slope,
+        slope * thermal * rate_factor,
+        static * thermal * rate_slope,
+        static * thermal_slope * rate_factor,
     )

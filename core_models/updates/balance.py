@@ -85,7 +85,6 @@ def complete_point(material, viscosity, prediction, correction, dt, length, poin
     after = PointState(
         plus_isotropic(scaled(deviator, to_cauchy), p.mean_stress),
         point.rotation,
-        point.left_stretch,
         elastic,
         point.equivalent_plastic_strain + increment,
         correction.hardening_variable,

@@ -42,7 +42,7 @@ class CompressibleNeoHookean(NamedTuple):
 
 
 @advance_rows.register(CompressibleNeoHookean)
-def _(update, rows, statuses, count, start, model, viscosity, f0, f1, dt, old):
+def _(update, rows, statuses, count, model, viscosity, dt):
     for k in range(count):
         before = deformed(model, get_tensor(rows, F0, k))
         after = deformed(model, get_tensor(rows, F1, k))

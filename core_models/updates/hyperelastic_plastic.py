@@ -81,18 +81,18 @@ def _(update, material, f0, f1, point):
     is_usual = is_near_one(j0 / j1) and j1 > 0.0 and not is_beyond_eos(material.eos, j1)
     status = OK if is_usual else UNSETTLED
     prediction = elastic_trial(material, f0, f1, j0, j1, cube_root_near_one(j0 / j1), point)
-    return status, prediction, point.rotation, point.left_stretch
+    return status, prediction, point.rotation
 
 
 @predict_carefully.register(HyperelasticPlastic)
 def _(update, material, f0, f1, point):
     j0, j1 = determinant(f0), determinant(f1)
     if not j1 > 0.0:
-        return INVERTED, NO_PREDICTION, point.rotation, point.left_stretch
+        return INVERTED, NO_PREDICTION, point.rotation
     if is_beyond_eos(material.eos, j1):
-        return BEYOND_EOS, NO_PREDICTION, point.rotation, point.left_stretch
+        return BEYOND_EOS, NO_PREDICTION, point.rotation
     prediction = elastic_trial(material, f0, f1, j0, j1, cube_root(j0 / j1), point)
-    return OK, prediction, point.rotation, point.left_stretch
+    return OK, prediction, point.rotation
 
 
 @inside_kernel

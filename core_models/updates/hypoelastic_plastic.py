@@ -12,6 +12,7 @@ from core_models.laws import (
     predict_carefully,
     stress_measure,
 )
+from core_models.quaternions import quaternion, rotation_matrix, rotation_vector, turned
 from core_models.rotation import rotation_increment, small_rotation_increment
 from core_models.status import BEYOND_EOS, INVERTED, OK, UNSETTLED
 from core_models.tensors import (
@@ -22,9 +23,10 @@ from core_models.tensors import (
     equivalent_stress,
     minus,
     plus,
-    product,
+    product_transposed,
     scaled,
     symmetric_inverse,
+    symmetric_part,
     symmetric_part_of_product,
 )
 from core_models.updates.elastoplastic import advance_elastoplastic
@@ -34,16 +36,17 @@ from core_models.updates.prediction import NO_PREDICTION, Prediction
 class HypoelasticPlastic(NamedTuple):
     """Hypoelastic-plastic update: additive split of the rate of deformation in the frame turned by R of F = V R.
 
-        s_trial = Q s_n Q^T + 2 G dev(d),   d = sym[2 (V_1 - Q V_0 Q^T) (V_1 + Q V_0 Q^T)^-1],   Q = R_1 R_0^T
+        s_trial = Q [s_n + 2 G dev(d)] Q^T,   d = sym[2 (U - V_0) (U + V_0)^-1],   Q = R_1 R_0^T,   U = Q^T V_1 Q
 
     followed by the return to the yield surface in *Cauchy* stress; the pressure comes from the equation of state.
-    d is the unrotated rate of deformation at mid-step, pushed to the new frame: a superposed rotation changes Q only.
+    d is the unrotated rate of deformation at mid-step, in the frame before the step: a superposed rotation changes Q
+    only.
 
     Parameters
     ----------
     tolerance : relative tolerance of the consistency condition [-], in (0, 1e-3].
 
-    V and R are updated incrementally (core_models.rotation). Objective to round-off for any rotation in a step.
+    R is updated incrementally (core_models.rotation), and V = F R^T. Objective to round-off for any rotation in a step.
     Source: Flanagan & Taylor (1987); Zocher et al., ECCOMAS (2000); the founding document, section 2.1.
     """
 
@@ -56,32 +59,41 @@ advance_rows.register(HypoelasticPlastic)(advance_elastoplastic)
 @predict.register(HypoelasticPlastic)
 def _(update, material, f0, f1, point):
     j0, j1 = determinant(f0), determinant(f1)
-    q, v1, is_right = small_rotation_increment(f1, point.rotation)
+    r0, v0, a = unrotated(f0, f1, point.rotation)
+    q, u, is_right = small_rotation_increment(a)
     status = OK if is_right and j1 > 0.0 and not is_beyond_eos(material.eos, j1) else UNSETTLED
-    return status, elastic_trial(material, j0, j1, q, v1, point), product(q, point.rotation), v1
+    return status, elastic_trial(material, j0, j1, v0, u, q, point.stress), rotation_vector(turned(q, r0))
 
 
 @predict_carefully.register(HypoelasticPlastic)
 def _(update, material, f0, f1, point):
     j0, j1 = determinant(f0), determinant(f1)
     if not j1 > 0.0:
-        return INVERTED, NO_PREDICTION, point.rotation, point.left_stretch
+        return INVERTED, NO_PREDICTION, point.rotation
     if is_beyond_eos(material.eos, j1):
-        return BEYOND_EOS, NO_PREDICTION, point.rotation, point.left_stretch
-    q, v1 = rotation_increment(f1, point.rotation)
-    return OK, elastic_trial(material, j0, j1, q, v1, point), product(q, point.rotation), v1
+        return BEYOND_EOS, NO_PREDICTION, point.rotation
+    r0, v0, a = unrotated(f0, f1, point.rotation)
+    q, u = rotation_increment(a)
+    return OK, elastic_trial(material, j0, j1, v0, u, q, point.stress), rotation_vector(turned(q, r0))
 
 
 @inside_kernel
-def elastic_trial(material, j0, j1, q, v1, point):
-    """Prediction from the volume ratios, the rotation increment and the new left stretch."""
+def unrotated(f0, f1, rotation):
+    """Quaternion of R_0, V_0 = F_0 R_0^T, and F_1 R_0^T."""
+    r0 = quaternion(rotation)
+    r = rotation_matrix(r0)
+    return r0, symmetric_part(product_transposed(f0, r)), product_transposed(f1, r)
+
+
+@inside_kernel
+def elastic_trial(material, j0, j1, v0, u, q, stress):
+    """Prediction from the volume ratios, the stretches before and after, the rotation and the stress before."""
     shear = elastic_moduli(material.elasticity)[1]
-    v0 = congruence(q, point.left_stretch)
-    d = scaled(symmetric_part_of_product(minus(v1, v0), symmetric_inverse(plus(v1, v0))), 2.0)
-    s0 = deviator(congruence(q, point.stress))
+    d = scaled(symmetric_part_of_product(minus(u, v0), symmetric_inverse(plus(u, v0))), 2.0)
+    s0 = deviator(stress)
     trial = plus(s0, scaled(deviator(d), 2.0 * shear))
     return Prediction(
-        trial,
+        congruence(rotation_matrix(q), trial),
         j0,
         j1,
         equivalent_stress(trial),

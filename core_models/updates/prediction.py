@@ -3,7 +3,13 @@
 from typing import NamedTuple
 
 from core_models.compilation import inside_kernel
-from core_models.laws import eroded_stress, melting_temperature, return_to_surface, search_surface
+from core_models.laws import (
+    eroded_stress,
+    guess_increment,
+    melting_temperature,
+    return_to_surface,
+    search_surface,
+)
 from core_models.rows import CORRECTION, PREDICTION, get, get_symmetric, put, put_symmetric
 from core_models.status import OK
 
@@ -99,10 +105,19 @@ def has_no_strength(material, point):
 
 
 @inside_kernel
-def correct(material, prediction, over_dt, point):
+def guess(material, prediction, over_dt, point):
+    """Plastic increment for `correct` to begin with."""
+    return guess_increment(
+        material.yield_condition, material.flow, prediction.stress, prediction.shear_3, prediction.stress_before,
+        point.equivalent_plastic_strain, point.hardening_variable, over_dt, point.temperature,
+    )  # fmt: skip
+
+
+@inside_kernel
+def correct(material, prediction, guessed, over_dt, point):
     """Return a prediction to the yield surface, or to zero: status and correction; UNSETTLED leaves it to `search`."""
     factor, increment, flow_stress, hardening, status = return_to_surface(
-        material.yield_condition, material.flow, prediction.stress, prediction.shear_3, prediction.stress_before,
+        material.yield_condition, material.flow, guessed, prediction.stress, prediction.shear_3,
         point.equivalent_plastic_strain, point.hardening_variable, over_dt, point.temperature,
         material.update.tolerance,
     )  # fmt: skip

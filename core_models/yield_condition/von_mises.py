@@ -4,7 +4,7 @@ import math
 from typing import NamedTuple
 
 from core_models.compilation import beside_kernel, inside_kernel
-from core_models.laws import evolve_hardening, flow_stress, return_to_surface, search_surface
+from core_models.laws import evolve_hardening, flow_stress, guess_increment, return_to_surface, search_surface
 from core_models.status import NOT_CONVERGED, OK, UNSETTLED
 
 MAXIMUM_ITERATIONS = 100
@@ -32,35 +32,44 @@ def _consistency(flow, trial, shear_3, plastic_strain, hardening_variable, over_
     return trial - shear_3 * increment - stress, -shear_3 - slope, stress, variable, variable_slope
 
 
-@return_to_surface.register(VonMises)
+@guess_increment.register(VonMises)
 def _(
     yield_condition, flow, trial, shear_3, stress_before, plastic_strain, hardening_variable, over_dt, temperature,
-    tolerance,
+):  # fmt: skip
+    """One Newton step from the increment that lets the stress stay what it was; 0 in the elastic case."""
+    guess = max((trial - stress_before) / shear_3, 0.0)
+    residual, slope, _stress, _variable, _variable_slope = _consistency(
+        flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, guess
+    )
+    return max(guess - residual / slope, 0.0)
+
+
+@return_to_surface.register(VonMises)
+def _(
+    yield_condition, flow, guess, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, tolerance,
 ):  # fmt: skip
     """Radial return: q_trial - 3 G dp = sigma_y(ep + dp, dp/dt, T).
 
-    The first guess lets the stress stay what it was; in steady flow two Newton steps then do, and the second is taken
-    without another look at the flow law because its second-order remainder is below the tolerance. A stress that has
-    not grown is compared with the flow stress at rate 0, the elastic case. What is not so simple is left to
-    `search_surface`.
+    In steady flow one Newton step from the guess does, and it is taken without another look at the flow law because
+    its second-order remainder is below the tolerance. A guess of 0 is compared with the flow stress at rate 0, the
+    elastic case. What is not so simple is left to `search_surface`.
     """
-    guess = max((trial - stress_before) / shear_3, 0.0)
-    residual, slope, yield_stress, _variable, _variable_slope = _consistency(
+    residual, slope, stress, variable, variable_slope = _consistency(
         flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, guess
     )
     is_elastic = guess == 0.0 and residual <= 0.0
-    increment = max(guess - residual / slope, 0.0)
-    residual, slope, stress, variable, variable_slope = _consistency(
-        flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, increment
-    )
-    step = -residual / slope
+    step = 0.0 if is_elastic else -residual / slope
     hardening = -(slope + shear_3) * step
-    is_done = abs(hardening * step) <= tolerance * trial * increment and abs(step) < increment
-    stress = yield_stress if is_elastic else stress + hardening
-    increment = 0.0 if is_elastic else increment + step
-    variable = hardening_variable if is_elastic else variable + variable_slope * step
-    status = OK if is_elastic or is_done else UNSETTLED
-    return 1.0 if is_elastic else stress / trial, increment, stress, variable, status
+    is_done = abs(hardening * step) <= tolerance * trial * guess and abs(step) < guess
+    stress += hardening
+    factor = 1.0 if is_elastic else stress / trial
+    return (
+        factor,
+        guess + step,
+        stress,
+        variable + variable_slope * step,
+        OK if is_elastic or is_done else UNSETTLED,
+    )
 
 
 @search_surface.register(VonMises)

@@ -23,26 +23,31 @@ _VALID = {
 """Cures of each kind with full integration; the first is the default."""
 
 
+def cures_of(kind: str, integration: str) -> tuple[str, ...]:
+    """Names of the cures that an element can have, its default first."""
+    return (*(_VALID[kind] if integration == FULL else ()), NONE)
+
+
 def find_cure(name: str | None, kind: str, integration: str) -> str:
     """The cure of that name if it does something for the element; by default the element's own.
 
     Raises SceneError for an unknown one, and for one that would change nothing or does not exist for the element.
     """
-    if name is not None and name not in CURES:
-        raise SceneError(f"no locking cure is called {name!r}; {suggestion(name, CURES)}")
-    valid = _VALID[kind] if integration == FULL else ()
+    valid = cures_of(kind, integration)
     if name is None:
-        return valid[0] if valid else NONE
-    if name == NONE or name in valid:
+        return valid[0]
+    if name in valid:
         return name
-    why = (
-        "has one point and so nothing to project within it" if kind in ("tri3", "tet4") else "is not cured so"
-    )
+    if name not in CURES:
+        raise SceneError(f"no locking cure is called {name!r}; {suggestion(name, CURES)}")
     if integration != FULL:
         why = "has too few points to lock"
+    elif kind in ("tri3", "tet4"):
+        why = "has one point, so there is nothing to project within the element"
+    else:
+        why = "has other cures"
     raise SceneError(
-        f"cure {name!r} does nothing good here: {kind} with {integration} integration {why}; "
-        f"use {' or '.join((*valid, NONE))}"
+        f"cure {name!r} is void: {kind} with {integration} integration {why}; use {' or '.join(valid)}"
     )
 
 

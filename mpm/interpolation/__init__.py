@@ -1,8 +1,8 @@
 """Interpolations between grid and particles, one per file: products of one-dimensional functions along the axes.
 
-Coordinates count cells: node i lies at i + 1/2. Each function here is generic in the interpolation and takes numbers
-or lanes (one per axis). t is the interpolation's own local coordinate of a particle, from `locate`; `half` is half the
-particle's size, of which only GIMP takes notice.
+Coordinates count cells: node i lies at i + 1/2. Each function here is generic in the interpolation; from `weights` on
+they take and give lanes, one per axis. t is the interpolation's own local coordinate of a particle, from `locate`;
+`half` is half the particle's size, of which only GIMP takes notice.
 """
 
 from core_models.dispatch import generic
@@ -29,6 +29,16 @@ def locate(shape, x):
 
 
 @generic
+def locate_particle(shape, geometry, p, axis, x, over_h):
+    """`locate` for particle p at x [cells] along an axis."""
+
+
+@locate_particle.otherwise
+def _(shape, geometry, p, axis, x, over_h):
+    return locate(shape, x)
+
+
+@generic
 def half_size(shape, p, over_h):
     """Half the size of particle p along the axes [cells]."""
 
@@ -51,6 +61,11 @@ def slopes(shape, t, half):
 @generic
 def spread(shape, t, half):
     """Second moment D = sum of weight times squared distance to the node [cells^2]."""
+
+
+@generic
+def row(shape, table, place):
+    """The numbers of the nodes in a table with four numbers per node, from `place` on, as a tuple."""
 
 
 @generic

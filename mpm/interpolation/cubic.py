@@ -3,7 +3,8 @@
 import math
 from typing import NamedTuple
 
-from mpm.interpolation import layers, locate, middle, moments, reach, slopes, spread, weights
+from mpm.interpolation import layers, locate, middle, moments, reach, row, slopes, spread, weights
+from mpm.lanes import lanes
 
 SIXTH, THIRD = 1.0 / 6.0, 1.0 / 3.0
 
@@ -55,7 +56,7 @@ def _(shape, t, half):
 
 @spread.register(CubicSpline)
 def _(shape, t, half):
-    return THIRD + 0.0 * t
+    return lanes(THIRD, THIRD, THIRD, 0.0)
 
 
 @moments.register(CubicSpline)
@@ -67,3 +68,8 @@ def _(shape, t, half):
         3.0 * (1.0 - t) * w[2],
         3.0 * (2.0 - t) * w[3],
     )
+
+
+@row.register(CubicSpline)
+def _(shape, table, place):
+    return table[place], table[place + 4], table[place + 8], table[place + 12]

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core_models.compilation import inside_kernel
-from mpm.interpolation import half_size, layers, locate, middle, moments, reach, slopes, spread, weights
+from mpm.interpolation import half_size, layers, locate, middle, moments, reach, row, slopes, spread, weights
 from mpm.lanes import lanes, maximum, minimum
 
 
@@ -98,3 +98,8 @@ def _(shape, t, half):
     w = weights(shape, t, half)
     over = 1.0 / spread(shape, t, half)
     return over * w[0] * (-1.0 - t), over * w[1] * (0.0 - t), over * w[2] * (1.0 - t)
+
+
+@row.register(UniformGimp)
+def _(shape, table, place):
+    return table[place], table[place + 4], table[place + 8]

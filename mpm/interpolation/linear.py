@@ -3,7 +3,8 @@
 import math
 from typing import NamedTuple
 
-from mpm.interpolation import layers, locate, middle, moments, reach, slopes, spread, weights
+from mpm.interpolation import layers, locate, middle, moments, reach, row, slopes, spread, weights
+from mpm.lanes import lanes
 
 
 class LinearHat(NamedTuple):
@@ -38,7 +39,8 @@ def _(shape, t, half):
 
 @slopes.register(LinearHat)
 def _(shape, t, half):
-    return 0.0 * t - 1.0, 0.0 * t + 1.0
+    one = lanes(1.0, 1.0, 1.0, 1.0)
+    return -1.0 * one, one
 
 
 @spread.register(LinearHat)
@@ -49,4 +51,9 @@ def _(shape, t, half):
 @moments.register(LinearHat)
 def _(shape, t, half):
     # D cancels against the weights: the quotient stays finite where D is 0, on the nodes.
-    return 0.0 * t - 1.0, 0.0 * t + 1.0
+    return slopes(shape, t, half)
+
+
+@row.register(LinearHat)
+def _(shape, table, place):
+    return table[place], table[place + 4]

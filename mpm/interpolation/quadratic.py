@@ -3,7 +3,8 @@
 import math
 from typing import NamedTuple
 
-from mpm.interpolation import layers, locate, middle, moments, reach, slopes, spread, weights
+from mpm.interpolation import layers, locate, middle, moments, reach, row, slopes, spread, weights
+from mpm.lanes import lanes
 
 
 class QuadraticSpline(NamedTuple):
@@ -47,10 +48,15 @@ def _(shape, t, half):
 
 @spread.register(QuadraticSpline)
 def _(shape, t, half):
-    return 0.25 + 0.0 * t
+    return lanes(0.25, 0.25, 0.25, 0.0)
 
 
 @moments.register(QuadraticSpline)
 def _(shape, t, half):
     low, high = 0.5 - t, 0.5 + t
     return -2.0 * (1.0 + t) * low * low, -4.0 * t * (0.75 - t * t), 2.0 * (1.0 - t) * high * high
+
+
+@row.register(QuadraticSpline)
+def _(shape, table, place):
+    return table[place], table[place + 4], table[place + 8]

@@ -34,7 +34,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--rate", metavar="R[,R...]", type=numbers, help="strain rate [1/s]; several: each for an equal share"
     )
-    parser.add_argument("--steps", metavar="N", type=positive, default=100, help="steps from 0 to --to (100)")
+    parser.add_argument(
+        "--steps",
+        metavar="N",
+        type=positive,
+        default=100,
+        help="steps from 0 to --to, or of each segment (100)",
+    )
     parser.add_argument(
         "--cycles", metavar="K", type=whole, help="cycles between +strain and -strain after it"
     )

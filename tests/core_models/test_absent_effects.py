@@ -40,9 +40,9 @@ def functions_called(code):
 @pytest.mark.parametrize(
     ("name", "fields"),
     [
-        ("hypo-elastic", {"rotation", "left_stretch"}),
+        ("hypo-elastic", {"rotation"}),
         ("hyper-elastic", {"elastic_left_cauchy_green"}),
-        ("hypo-linear", {"rotation", "left_stretch", "equivalent_plastic_strain"}),
+        ("hypo-linear", {"rotation", "equivalent_plastic_strain"}),
         ("hyper-voce", {"elastic_left_cauchy_green", "equivalent_plastic_strain"}),
         (
             "hyper-mts-hot",

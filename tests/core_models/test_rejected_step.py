@@ -6,7 +6,7 @@ import pytest
 from core_models.points import MaterialPoints, PointFailure
 
 
-@pytest.mark.parametrize("bad", [-1.0, np.nan, 1e200])
+@pytest.mark.parametrize("bad", [-1.0, np.nan, np.inf])
 def test_a_rejected_step_changes_nothing_in_the_next(pool, bad):
     """After a point was inverted or not a number, the redone step gives the bits of one that never failed."""
     for material in pool.values():

@@ -15,7 +15,7 @@ from mpm.interpolation.gimp import UniformGimp
 from mpm.interpolation.linear import LinearHat
 from mpm.interpolation.quadratic import QuadraticSpline
 from mpm.lanes import store
-from mpm.tile import MOMENTS, OFFSETS, SLOPES, WEIGHTS, put_moments, put_offsets, put_stencil
+from mpm.tile import MOMENTS, OFFSETS, SLOPES, STENCIL, WEIGHTS, put_moments, put_offsets, put_stencil
 
 CELL = 0.4e-3
 SPLINES = [LinearHat(), QuadraticSpline(), CubicSpline()]
@@ -40,7 +40,7 @@ def fill(table, moments, geometry, shape, grid, positions):
 
 def stencil(shape, cells):
     """First nodes, and by axis the weights, slopes [1/m], moments [1/m], offsets [m] and second moments [cells^2]."""
-    table, moments, position = np.full(64, np.nan), np.zeros(4), CELL * np.array([cells])
+    table, moments, position = np.full(STENCIL, np.nan), np.zeros(4), CELL * np.array([cells])
     first = fill(table, moments, Spatial(), shape, GRID, position)
     rows = [
         table[start : start + 4 * reach(shape)].reshape(-1, 4)[:, :3].T

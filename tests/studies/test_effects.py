@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from core_models.specific_heat.constant import ConstantSpecificHeat
+from core_models.specific_heat.copper import CopperSpecificHeat
 from studies.effects import scene_effects
 from studies.scene import End
 
@@ -39,6 +40,20 @@ def test_conduction_names_only_what_is_missing(classic, given, absent, present):
     assert absent in told and (present is None or present not in told)
 
 
-def test_wall_friction_says_what_is_offered(classic):
-    """Frictionless because nothing else is offered, not because of a benchmark."""
-    assert "only such walls are offered" in reason(classic, "wall friction")
+def test_conduction_says_how_far_heat_travels(classic):
+    """sqrt(k t / (rho c)) in 80 µs, on or off, also with a specific heat that depends on the temperature."""
+    copper = replace(classic.material, thermal_conductivity=386.0, specific_heat=ConstantSpecificHeat(383.0))
+    scene = replace(classic, material=copper)
+    told = reason(scene, "heat conduction")
+    assert "some 0.095 mm" in told and "turns it on" in told
+    assert "some 0.095 mm; the bar is insulated" in reason(replace(scene, conduction=True), "heat conduction")
+    law = replace(scene, material=replace(copper, specific_heat=CopperSpecificHeat()))
+    assert "some 0.094 mm" in reason(law, "heat conduction")
+
+
+def test_wall_friction_is_the_scenes(classic):
+    """Off and on as the scene says, with the coefficient."""
+    assert "frictionless: the scene gives no coefficient" in reason(classic, "wall friction")
+    rough = replace(classic, friction=0.15)
+    effect = next(effect for effect in scene_effects(rough, rough.wall) if effect.name == "wall friction")
+    assert effect.on and "0.15 of the normal" in effect.reason

@@ -3,12 +3,15 @@
 import pytest
 from lxml import etree
 
-from core_models.errors import CardError, MatpointError, SceneError, UnsupportedError
+from core_models.errors import CardError, MaterialError, MatpointError, SceneError, UnsupportedError
+from core_models.walls import Wall
+from studies.methods import build_solver
 from studies.output_folder import OutputFolder
 from studies.scene_reader import read_scene
 from studies.scene_writer import write_scene
 from studies.shipped_scenes import SCENES_FOLDER, shipped_scenes
 
+RUBBING = '<wall type="plane" friction="0.2"/><conduction>on</conduction>'
 NAMES = ("taylor-classic", "taylor-copper-jc", "taylor-copper-mts", "taylor-ofhc-190")
 
 
@@ -59,12 +62,33 @@ def test_heating_can_be_turned_off(tmp_path):
     assert read_scene(path).material.heating is None
 
 
+def test_conduction_and_friction_are_read_and_written(tmp_path):
+    """<conduction> and the wall's friction come out of a file and go into one; without them there is neither."""
+    plain = read_scene("taylor-copper-jc")
+    assert not plain.conduction and plain.friction == 0.0
+    path = variant(tmp_path, '<wall type="unilateral"/>', RUBBING, "taylor-copper-jc")
+    scene = read_scene(path)
+    assert scene.conduction and (scene.wall, scene.friction) == ("plane", 0.2)
+    with OutputFolder(tmp_path / "out") as folder:
+        write_scene(scene, scene.wall, folder)
+    again = read_scene(tmp_path / "out" / "scene.xml")
+    assert (again.conduction, again.wall, again.friction) == (True, "plane", 0.2)
+    solver = build_solver(scene, "mpm", 4, scene.wall, 1)
+    assert solver.wall == Wall("plane", 0.2) and solver.points.old.temperature is not None
+    off = variant(tmp_path, '<wall type="unilateral"/>', RUBBING.replace("on<", "off<"), "taylor-copper-jc")
+    assert not read_scene(off).conduction
+
+
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [
         ("<wall ", "<wal ", "did you mean 'wall'"),
         ('<wall type="unilateral"', '<wall kind="unilateral"', "type"),
         ('type="unilateral"', 'type="unilaterl"', "did you mean 'unilateral'"),
+        ("<wall ", '<wall friction="-0.1" ', "friction = -0.1 is out of range"),
+        ("<wall ", '<wall friction="some" ', "no number"),
+        ("<wall ", "<conduction>maybe</conduction><wall ", "write on or off"),
+        ("<wall ", "<conduction>on</conduction><wall ", "no thermal_conductivity and no specific_heat"),
         ('time="80e-6"', 'time="80-6"', "no number"),
         ('time="80e-6"', 'time="nan"', "no number"),
         ('time="80e-6"', 'time="-1"', "positive"),
@@ -84,7 +108,7 @@ def test_heating_can_be_turned_off(tmp_path):
 def test_bad_scenes_are_refused_with_file_line_and_remedy(tmp_path, old, new, told):
     """One line that begins with file and line and says what is wrong."""
     path = variant(tmp_path, old, new)
-    with pytest.raises((SceneError, CardError, UnsupportedError)) as refused:
+    with pytest.raises((SceneError, CardError, MaterialError, UnsupportedError)) as refused:
         read_scene(path)
     message = str(refused.value)
     assert message.startswith(f"{path}:") and message[len(str(path)) + 1].isdigit()
