@@ -10,7 +10,7 @@ from core_models.flow.steinberg_cochran_guinan import SteinbergCochranGuinan
 from core_models.flow.tabulated import TabulatedHardening
 from core_models.flow.thermal_voce import ThermalVoce
 from core_models.flow.zerilli_armstrong import ZerilliArmstrong
-from core_models.laws import evolve_hardening, flow_stress, return_to_surface, search_surface
+from core_models.laws import evolve_hardening, flow_stress, guess_increment, return_to_surface, search_surface
 from core_models.status import OK
 from core_models.yield_condition.von_mises import VonMises
 
@@ -49,8 +49,11 @@ def test_return_settles_on_the_surface(name):
         variable = random.uniform(0.5, 2.0) * getattr(law, "hardening_variable", 0.0)
         trial = SHEAR_3 * 10.0 ** random.uniform(-7.0, -0.3)
         before = trial * random.uniform(0.0, 1.2)
+        guess = guess_increment(
+            VonMises(), law, trial, SHEAR_3, before, strain, variable, over_dt, temperature
+        )
         result = return_to_surface(
-            VonMises(), law, trial, SHEAR_3, before, strain, variable, over_dt, temperature, TOLERANCE
+            VonMises(), law, guess, trial, SHEAR_3, strain, variable, over_dt, temperature, TOLERANCE
         )
         if result[-1] != OK:
             result = search_surface(
