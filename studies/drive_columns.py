@@ -8,6 +8,7 @@ from core_models.points import MaterialPoints
 
 SYMMETRIC = ("11", "22", "33", "12", "23", "31")
 FULL = tuple(f"{i}{j}" for i in "123" for j in "123")
+ENDINGS = {3: ("1", "2", "3"), 6: SYMMETRIC, 9: FULL}
 LEADING = ("deformation_gradient", "stress")
 
 
@@ -40,5 +41,5 @@ def _components(name: str, values: np.ndarray, unit: str) -> dict[str, np.ndarra
     if values.ndim == 1:
         return {f"{name} [{unit}]": values}
     flat = values.reshape(len(values), -1)
-    endings = SYMMETRIC if flat.shape[1] == 6 else FULL
+    endings = ENDINGS[flat.shape[1]]
     return {f"{name}_{ending} [{unit}]": flat[:, k] for k, ending in enumerate(endings)}
