@@ -98,7 +98,9 @@ def _(shape, geometry, grid, stencil, tile, source, start, p, t, mass):
 
 @generic
 def take(shape, affine, geometry, grid, stencil, tile, start, p, t):
-    """Velocity of particle p, columns of its gradient [1/s] and of its affine velocity [1/s], if it has that."""
+    """Velocity of particle p, columns of its gradient [1/s] and, if it has that, of its affine velocity [1/s] and the
+    mean square of that [m^2/s^2].
+    """
 
 
 @take.otherwise
@@ -132,7 +134,8 @@ def _(shape, affine, geometry, grid, stencil, tile, start, p, t):
         c_x = fused(weight, n_u, c_x)
         c_y = fused(weight, n_w, c_y)
         c_z = fused(stencil[MOMENTS + 4 * c + 2], n, c_z)
-    return v, l_x, l_y, l_z, c_x, c_y, c_z
+    square = affine_square(affine, shape, geometry, grid, p, t, c_x, c_y, c_z)
+    return v, l_x, l_y, l_z, c_x, c_y, c_z, square
 
 
 @generic
@@ -181,6 +184,23 @@ def times_moment(shape, geometry, grid, p, t, x, y, z):
 def _(shape, geometry, grid, p, t, x, y, z):
     d = grid.h * grid.h * spread(shape, t, half_size(shape, p, grid.over_h))
     return lane(d, 0) * x, lane(d, 1) * y, lane(d, 2) * z
+
+
+@generic
+def affine_square(affine, shape, geometry, grid, p, t, x, y, z):
+    """Mean square of the affine velocity C with columns x, y, z over its particle, (C D) . C [m^2/s^2]."""
+
+
+@affine_square.register(np.ndarray)
+def _(affine, shape, geometry, grid, p, t, x, y, z):
+    c_x, c_y, c_z = times_moment(shape, geometry, grid, p, t, x, y, z)
+    square = dot(c_x, x) + dot(c_y, y)
+    return square + dot(c_z, z)
+
+
+@affine_square.register(type(None))
+def _(affine, shape, geometry, grid, p, t, x, y, z):
+    return 0.0
 
 
 @inside_kernel

@@ -16,7 +16,7 @@ import numpy as np
 
 from core_models.compilation import kernel
 from core_models.dispatch import generic
-from mpm.exchange import dot, interpolate_second, take, times_moment
+from mpm.exchange import dot, interpolate_second, take
 from mpm.geometries import deform, put_columns, put_vector, stand, vector
 from mpm.grid import VELOCITY, block_corner
 from mpm.lanes import fused
@@ -51,7 +51,9 @@ def to_particles(
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
             start = place_in_tile(shape, corner, i, j, k)
-            v, l_x, l_y, l_z, c_x, c_y, c_z = take(shape, affine, geometry, grid, stencil, tile, start, p, t)
+            v, l_x, l_y, l_z, c_x, c_y, c_z, spin_square = take(
+                shape, affine, geometry, grid, stencil, tile, start, p, t
+            )
             put_affine(affine, geometry, p, c_x, c_y, c_z)
             put_vector(geometry, moves, p, v)
             volume_ratio[p] = deform(geometry, old_gradient, new_gradient, p, dt, l_x, l_y, l_z, v, positions)
@@ -59,8 +61,7 @@ def to_particles(
             v = new_velocity(second, geometry, velocities, p, own, share, v, w)
             put_vector(geometry, new_velocities, p, v)
             square = dot(v, v)
-            affine_part = affine_square(affine, shape, geometry, grid, p, t, c_x, c_y, c_z)
-            energy += 0.5 * density * volumes[p] * (square + affine_part)
+            energy += 0.5 * density * volumes[p] * (square + spin_square)
             fastest = max(fastest, square)
         sums[number, ENERGY] = energy
         sums[number, SPEED] = fastest
@@ -94,20 +95,3 @@ def _(affine, geometry, p, x, y, z):
 @put_affine.register(type(None))
 def _(affine, geometry, p, x, y, z):
     return
-
-
-@generic
-def affine_square(affine, shape, geometry, grid, p, t, x, y, z):
-    """Mean square of the affine velocity C with columns x, y, z over its particle, (C D) . C [m^2/s^2]."""
-
-
-@affine_square.register(np.ndarray)
-def _(affine, shape, geometry, grid, p, t, x, y, z):
-    c_x, c_y, c_z = times_moment(shape, geometry, grid, p, t, x, y, z)
-    square = dot(c_x, x) + dot(c_y, y)
-    return square + dot(c_z, z)
-
-
-@affine_square.register(type(None))
-def _(affine, shape, geometry, grid, p, t, x, y, z):
-    return 0.0
