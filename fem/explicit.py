@@ -8,8 +8,8 @@ from numpy.typing import ArrayLike
 
 from core_models.arguments import check_between
 from core_models.bulk_viscosity import BulkViscosity
-from core_models.errors import SceneError
 from core_models.geometry import find_geometry
+from core_models.initial_deformation import cannot_be, deform_slowly
 from core_models.ledger import EnergyLedger
 from core_models.load_checks import check_loads, damping_of
 from core_models.loads import Load, at_time
@@ -30,8 +30,6 @@ from fem.readout import Readout
 from fem.supports import Supports
 from meshes.axisymmetric import axisymmetric
 from meshes.mesh import Mesh
-
-QUASI_STATIC = 1e9  # s: time in which an initial displacement is imposed, so that no rate matters
 
 
 class ExplicitSolver(Readout):
@@ -122,17 +120,11 @@ class ExplicitSolver(Readout):
         """Bring the undeformed body to given positions (n, d) [m], slowly; SceneError if it cannot be there."""
         try:
             self._body.deform(positions, self.points)
-            work = self.points.advance(QUASI_STATIC)
         except PointFailure as reason:
-            raise SceneError(
-                f"the initial displacement cannot be: {reason} at point {reason.point}: make it smaller"
-            ) from None
-        self.points.accept()
+            raise cannot_be(reason) from None
+        self._ledger.strain, self._ledger.plastic = deform_slowly(self.points)
         self._body.accept()
         self.positions[:] = positions
-        if self.points.viscous_pressure is not None:
-            self.points.viscous_pressure[:] = 0.0
-        self._ledger.plastic, self._ledger.strain = work.plastic, work.stress - work.plastic
 
     def advance(self, limit: float = math.inf) -> None:
         """Make one step; a step that some point cannot take is redone smaller.

@@ -7,7 +7,7 @@ import numpy as np
 from core_models.compilation import CHUNK
 from core_models.geometry import Geometry
 from core_models.threads import Threads
-from mpm.anchors import Anchors
+from mpm.anchors import Anchors, Through, particle_shape, point_shape
 from mpm.configurations import Total, Updated
 from mpm.grid import FORCE, MASS, RECORD, VELOCITY, block_nodes, clear, make_grid, with_storage
 from mpm.interpolation import layers
@@ -162,8 +162,17 @@ class Background:
         return force
 
     def anchors(self, points: np.ndarray) -> Anchors:
-        """Points (k, d) [m] of the surface, held in the grid that has been filled."""
-        return Anchors(self.geometry, self.shape, self.grid, self._pairs, points)
+        """Points (k, d) [m] of the surface, held by the nodes that they reach in the grid that has been filled."""
+        return Anchors(self.geometry, point_shape(self.shape), self.grid, self._pairs, points)
+
+    def anchors_through(
+        self, points: np.ndarray, particles: np.ndarray, positions: np.ndarray, thickness: np.ndarray
+    ) -> Anchors:
+        """Points (k, d) [m] held through particles (k,) of all these positions (n, d) [m], thickness (k, d) [m]."""
+        through = Through(
+            positions[particles], thickness, particle_shape(self.shape, particles, self.cell_size)
+        )
+        return Anchors(self.geometry, point_shape(self.shape), self.grid, self._pairs, points, through)
 
     def carried(self, positions: np.ndarray, affine: np.ndarray) -> np.ndarray:
         """Affine velocities C (n, d, d) [1/s] times the second moments D of the particles' weights [m^2/s]."""

@@ -11,7 +11,6 @@ from core_models.errors import SceneError
 from core_models.geometry import Axisymmetric, Geometry
 
 DIFFERENCE = 1e-5  # of the body's size: step of the central differences of fields given as functions
-STAGES = 16  # in which an initial deformation is applied, so that the energy it stores is that of the path
 
 
 def initial_velocities(velocity: Any, positions: np.ndarray) -> np.ndarray:

@@ -132,7 +132,7 @@ class Solver(Body):
         if wall is not None:
             rim = rim_faces(mesh, kind, seeding, self.particles, mirrored)
             if is_total:
-                self._contact = ReferenceContact(wall, Surface(rim, self.reference_positions, kind))
+                self._contact = ReferenceContact(wall, Surface(rim, self.particles, kind))
             else:
                 self._contact = Contact(wall, rim)
         self._filter = Filter(self._transfer.order) if self._transfer.order else None
@@ -152,7 +152,10 @@ class Solver(Body):
         self.initial_momentum = self.momentum
         self.wall_impulse, self.wall_force = 0.0, 0.0
         self._kinetic = self._particle_energy()
-        self.ledger = EnergyLedger(self._kinetic + self.stored_energy, self._kinetic, self.stored_energy)
+        stored, dissipated = self.stored_energy, self.plastic_energy
+        self.ledger = EnergyLedger(
+            self._kinetic + stored + dissipated, self._kinetic, stored, plastic=dissipated
+        )
         self.time_step = self._stable_step(self._speed(), float(self.points.wave_speed.max()), 0.0)
         self._first_step = self.time_step
 
@@ -193,7 +196,9 @@ class Solver(Body):
         )  # fmt: skip
         if self._filter is not None:
             self._filter.apply(background, self._places, self.material.density, points.reference_volumes)
-        self._forces.load_surfaces(background, self.time, self.positions, points.old_deformation_gradient)
+        self._forces.load_surfaces(
+            background, self.time, self._places, self.positions, points.old_deformation_gradient
+        )
         if self._contact is not None:
             self._contact.measure(background, self.positions, points.old_deformation_gradient)
         # A step that fails for good leaves the grid as it is: what it was filled from may have been overwritten.
