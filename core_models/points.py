@@ -208,6 +208,10 @@ def initial_state(material: Material, n: int, temperature: float, conduction: bo
 
 def initial_wave_speed(material: Material) -> float:
     """Longitudinal wave speed of the unstressed material [m/s]."""
-    elastic_bulk, shear = elastic_moduli(material.elasticity)
-    bulk = elastic_bulk if material.eos is None else pressure(material.eos, 1.0, 0.0)[1]
+    shear = material.shear_at_rest(material.room_temperature)
+    bulk = (
+        elastic_moduli(material.elasticity)[0]
+        if material.eos is None
+        else pressure(material.eos, 1.0, 0.0)[1]
+    )
     return float(np.sqrt((bulk + 4.0 / 3.0 * shear) / material.density))
