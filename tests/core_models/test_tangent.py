@@ -19,6 +19,8 @@ from core_models.flow.anand import Anand
 from core_models.flow.voce import Voce
 from core_models.kernels import advance_points
 from core_models.material import Material
+from core_models.objective_rate.jaumann import Jaumann
+from core_models.objective_rate.logarithmic import Logarithmic
 from core_models.points import MaterialPoints, PointFailure
 from core_models.threads import Threads
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
@@ -109,6 +111,16 @@ def test_the_tangent_is_the_derivative_of_a_plastic_step(plain, copper, update, 
     points = prepared(copper(update, flow), size, before)
     assert_exact(points)
     assert points.new.equivalent_plastic_strain[0] > points.old.equivalent_plastic_strain[0]
+
+
+@pytest.mark.parametrize("rate", [Logarithmic(), Jaumann()])
+@pytest.mark.parametrize("flow", [None, "linear"])
+@pytest.mark.parametrize(("size", "before"), [(1e-2, 0.05), (0.5, 0.0), (0.5, 0.3)])
+def test_every_objective_rate_has_its_tangent(plain, copper, rate, flow, size, before):
+    """Elastic and plastic, with the rotation of the rate's own frame."""
+    points = prepared(copper("hypo", flow, objective_rate=rate), size, before)
+    points.deformation_gradient[0] = TURN @ points.deformation_gradient[0]
+    assert_exact(points)
 
 
 @pytest.mark.parametrize("name", sorted(shipped_materials()))
