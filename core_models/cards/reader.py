@@ -111,6 +111,16 @@ def _slot_names(place: str) -> dict[str, str]:
     return {tag: slot.tags[0] for slot in SLOTS if place in slot.places for tag in slot.tags}
 
 
+def _origins(blocks: Blocks) -> dict[str, str]:
+    """File and line of the block of each slot that has one."""
+    found = {"update": str(origin(blocks.model))}
+    for slot in SLOTS:
+        block = blocks.outer.get(slot.tags[0], blocks.inner.get(slot.tags[0]))
+        if block is not None:
+            found[slot.slot] = str(origin(block))
+    return found
+
+
 def _material(blocks: Blocks, name: str) -> Material:
     update = chosen_model(blocks.model, UPDATE)
     constants = read_numbers(blocks.element, CONSTANTS, blocks.outer, {})
@@ -121,9 +131,7 @@ def _material(blocks: Blocks, name: str) -> Material:
     moduli = read_numbers(blocks.model, ELASTICITY, blocks.inner, {})
     laws = assembled_laws(blocks, update.law(**settings), constants | moduli)
     try:
-        return Material(name=name, **laws)
-    except MaterialError as error:
-        raise MaterialError(f"{origin(blocks.model)}: {error}") from error
+        return Material(name=name, **laws, origins=_origins(blocks))
     except (ArithmeticError, ValueError) as error:
         raise refusal(
             blocks.model,
