@@ -2,7 +2,6 @@
 
 from typing import NamedTuple
 
-from core_models.laws import elastic_moduli
 from core_models.quaternions import rotation_matrix
 from core_models.rotation import asymmetry, rotation_increment, slightly_turned
 from core_models.tensors import (
@@ -18,6 +17,7 @@ from core_models.tensors import (
     symmetric_part_of_product,
     transposed_product,
 )
+from core_models.updates.conditions import shear_before
 from core_models.updates.elastoplastic_tangent import (
     kinematics,
     linearise_elastoplastic,
@@ -55,7 +55,7 @@ linearise_rows.register(HypoelasticPlastic)(linearise_elastoplastic)
 
 @kinematics.register(HypoelasticPlastic)
 def _(update, material, f0, f1, point, prediction):
-    shear = elastic_moduli(material.elasticity)[1]
+    shear = shear_before(material, point, prediction.volume_ratio_0)
     r0, v0, a = unrotated(f0, f1, point.rotation)
     q, u = rotation_increment(a)
     over_sum = symmetric_inverse(plus(u, v0))
