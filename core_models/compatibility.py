@@ -4,6 +4,8 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from core_models.eos.default_hypo import DefaultHypoelastic
+from core_models.shear_modulus.nadal_le_poac import NadalLePoac
+from core_models.shear_modulus.preston_tonks_wallace import PrestonShearModulus
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
@@ -76,6 +78,14 @@ CLASHES = (
         ABSENT,
         "a flow law and a yield condition go together",
         "give both (von Mises with any flow law) or neither",
+    ),
+    Clash(
+        "shear_modulus",
+        (NadalLePoac, PrestonShearModulus),
+        "melting",
+        ABSENT,
+        "the shear modulus falls with T / T_m",
+        "add melt_temp or a melting law, or take mts_shear or scg_shear",
     ),
     Clash("heating", PRESENT, "flow", ABSENT, "plastic heating needs a flow law", "leave heating out"),
     Clash(

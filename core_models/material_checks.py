@@ -99,7 +99,7 @@ def _stiffness(m: Any) -> Iterator[Remark]:
 
 
 def _temperatures(m: Any) -> Iterator[Remark]:
-    melting = melting_temperature(m.melting)
+    melting = float(melting_temperature(m.melting))
     if m.melting is not None and not melting > m.room_temperature:
         yield Remark("melting", f"melt_temp {melting!r} K must lie above room_temp {m.room_temperature!r} K")
     if isinstance(m.flow, JohnsonCook) and m.melting is not None and m.flow.T_m > melting:
