@@ -40,7 +40,22 @@ UPDATE = SlotSchema(
             help="elastic: [G (b - 1) + (K - 2 G / 3) ln J 1] / J, without equation of state",
         ),
     ),
-    unavailable=("comp_neo_hook", "comp_neo_hook_plastic", "UCNH", "hypo_elastic", "visco_plastic", "rigid"),
+    unavailable=(
+        "comp_neo_hook",
+        "comp_neo_hook_plastic",
+        "UCNH",
+        "comp_mooney_rivlin",
+        "hypo_elastic",
+        "rf_elastic_plastic",
+        "visco_plastic",
+        "trans_iso_hyper",
+        "MohrCoulomb",
+        "Arenisca3",
+        "camclay",
+        "soil_foam",
+        "ideal_gas",
+        "rigid",
+    ),  # fmt: skip
 )
 
 OBJECTIVE_RATE = SlotSchema(
