@@ -9,6 +9,7 @@ from core_models.errors import RunFailure
 from mpm.geometries import dimension_of, stand
 from mpm.grid import FORCE, MASS, RECORD, VELOCITY, node_at
 from mpm.interpolation import reach
+from mpm.interpolation.cpdi import ConvectedDomain
 from mpm.interpolation.gimp import UniformGimp
 from mpm.interpolation.linear import LinearHat
 from mpm.tile import STENCIL, WEIGHTS, put_stencil
@@ -16,7 +17,7 @@ from mpm.tile import STENCIL, WEIGHTS, put_stencil
 
 def point_shape(shape):
     """The interpolation of a point without size."""
-    return LinearHat() if isinstance(shape, UniformGimp) else shape
+    return LinearHat() if isinstance(shape, UniformGimp | ConvectedDomain) else shape
 
 
 @kernel

@@ -29,6 +29,7 @@ from mpm.contact import Contact, Push
 from mpm.forces import Forces
 from mpm.grid import RECORD, VELOCITY
 from mpm.interpolation.catalogue import check_interpolation, make_interpolation
+from mpm.interpolation.cpdi import ConvectedDomain, check_extent
 from mpm.limits import bounds_of, check_size
 from mpm.mirrors import find_mirrors
 from mpm.motion import AFTER, BEFORE, advect
@@ -53,7 +54,7 @@ class Solver(Body):
     displacement : initial, a function of positions (n, d) [m], or None. temperature : initial [K].
     loads : of `core_models.loads`. wall : `Wall`, 'unilateral', 'plane' or None. viscosity : BulkViscosity or None.
     threads : number of threads. conduction : whether heat is conducted (core_models.conduction), else the body is
-    adiabatic. interpolation : 'quadratic', 'cubic', 'linear' or 'gimp'.
+    adiabatic. interpolation : 'quadratic', 'cubic', 'linear', 'gimp' or 'cpdi'.
     transfer : 'apic', 'flip', 'pic' or 'xpic'. flip_fraction : share of FLIP in the blend with PIC.
     xpic_order : m of XPIC(m). update : of the stress, 'usl' (last) or 'musl' (last, modified).
     configuration : that the grid covers, 'updated' (the body as it is) or 'total' (the reference body).
@@ -112,7 +113,14 @@ class Solver(Body):
         if self.points.lengths is not None:
             self.points.lengths[:] = cell_size
         self.cell_size, self.transfer, self.wall = cell_size, transfer, wall
-        shape = make_interpolation(interpolation, cell_size, mesh, seeding, self.particles.areas)
+        shape = make_interpolation(
+            interpolation,
+            cell_size,
+            mesh,
+            seeding,
+            self.particles.areas,
+            self.points.old_deformation_gradient,
+        )
         bounds = bounds_of(mesh, cell_size, base, mirrors, wall)
         self._background = Background(kind, shape, cell_size, base, mirrors, bounds, self.threads, frame)
         is_total = isinstance(frame, Total)
@@ -213,6 +221,7 @@ class Solver(Body):
         work = points.advance(dt)
         points.accept()
         self._conduct(dt)
+        background.convect(points.old_deformation_gradient)
         self.threads.run(advect, -(-points.n // CHUNK), dt, moves, self.positions)
         self.velocities, self._new_velocities = self._new_velocities, self.velocities
         self._keep_books(work, external, damped, lost, hold, push, sums, kick)
@@ -298,8 +307,8 @@ class Solver(Body):
 
     def _stable_step(self, speed: float, wave_speed: float, viscous_pressure: float) -> float:
         relative = viscous_pressure / (self.material.density * wave_speed**2)
-        damping = damped_step_factor(self.points.viscosity, relative)
-        step = self.cfl * damping * self.cell_size / self._fastest_wave(speed, wave_speed)
+        factor = damped_step_factor(self.points.viscosity, relative) * self._background.step_factor()
+        step = self.cfl * factor * self.cell_size / self._fastest_wave(speed, wave_speed)
         return step if self._conduction is None else min(step, self._conduction.limit)
 
     def _fastest_wave(self, speed: float, wave_speed: float) -> float:
@@ -315,14 +324,17 @@ class Solver(Body):
 
     def _check_inside(self, particle: int) -> None:
         """Raise RunFailure for a particle that no grid could hold."""
-        place, bounds = self.positions[particle], self._background.bounds
+        background, where = self._background, self.points.place(self.step_count + 1, self.time, particle)
+        place, bounds = self.positions[particle], background.bounds
         if not ((bounds[:, 0] <= place) & (place <= bounds[:, 1]) & np.isfinite(place)).all():
             names = "rz" if isinstance(self.geometry, Axisymmetric) else AXES
-            where = ", ".join(f"{name} = {x:.4g} m" for name, x in zip(names, place, strict=False))
+            outside = ", ".join(f"{name} = {x:.4g} m" for name, x in zip(names, place, strict=False))
             raise RunFailure(
-                f"{self.points.place(self.step_count + 1, self.time, particle)}: the particle has left the domain "
-                f"({where}); check velocity and material, or try another resolution"
+                f"{where}: the particle has left the domain ({outside}); check velocity and material, or try another "
+                "resolution"
             )
+        if isinstance(background.shape, ConvectedDomain):
+            check_extent(background.shape, particle, self.cell_size, where)
 
     def _speed(self) -> float:
         return float(np.sqrt((self.velocities**2).sum(axis=1).max()))
