@@ -43,7 +43,7 @@ def _free_of_one(x: np.ndarray, fixed: np.ndarray, geometry: Geometry) -> str:
 
 
 def rigid_modes(x: np.ndarray, geometry: Geometry) -> np.ndarray:
-    """Rigid motions (modes, n, d) of nodes at x (n, d), lengths relative to the body's size, rotations about its middle."""
+    """Rigid motions (modes, n, d) of nodes at x (n, d), relative to the body's size; rotations about its middle."""
     d = x.shape[1]
     if isinstance(geometry, Axisymmetric):
         return np.broadcast_to([0.0, 1.0], (1, *x.shape)).copy()

@@ -5,8 +5,8 @@ from typing import Protocol
 
 import numpy as np
 
-from core_models.equilibrium.stalled import Stalled
 from core_models.equilibrium.pattern import Pattern
+from core_models.equilibrium.stalled import Stalled
 from core_models.errors import SceneError, UnsupportedError
 from core_models.names import suggestion
 
@@ -64,9 +64,7 @@ class Pardiso:
         from scipy.sparse import csr_matrix
 
         pattern = self._pattern
-        matrix = csr_matrix(
-            (values, pattern.columns, pattern.row_starts), shape=(pattern.size, pattern.size)
-        )
+        matrix = csr_matrix((values, pattern.columns, pattern.row_starts), shape=(pattern.size, pattern.size))
         try:
             self._solver.factorize(matrix)
             return self._solver.solve(matrix, right)

@@ -121,7 +121,7 @@ class Newton:
     ) -> tuple[np.ndarray, Balance, float]:
         """Positions after the correction, or after the part of it that the line search takes; balance; that part.
 
-        The work of the imbalance on the correction is to fall to SLACK of what it was; a secant finds where it vanishes.
+        The work of the imbalance on the correction is to fall to SLACK of what it was; secants find where it vanishes.
         """
         free = self._free
         work = float((balance.residual * correction)[free].sum())
@@ -152,7 +152,9 @@ class Newton:
         residual = float(np.linalg.norm(balance.residual[self._free]))
         return residual / balance.scale if balance.scale > 0.0 else 0.0
 
-    def _record(self, balance: Balance, attempt: Attempt, iteration: int, energy: float, length: float) -> None:
+    def _record(
+        self, balance: Balance, attempt: Attempt, iteration: int, energy: float, length: float
+    ) -> None:
         residual = np.where(self._free, balance.residual, 0.0)
         worst = int(np.abs(residual).argmax())
         node, component = divmod(worst, residual.shape[1])
@@ -160,8 +162,19 @@ class Newton:
         self._plastic = balance.plastic
         self._log.add(
             Iteration(
-                attempt.increment, attempt.number, iteration, attempt.time, attempt.step,
-                float(np.linalg.norm(residual)), self._out_of_balance(balance), energy,
-                float(residual.flat[worst]), node, component, length, int(balance.plastic.sum()), same,
+                attempt.increment,
+                attempt.number,
+                iteration,
+                attempt.time,
+                attempt.step,
+                float(np.linalg.norm(residual)),
+                self._out_of_balance(balance),
+                energy,
+                float(residual.flat[worst]),
+                node,
+                component,
+                length,
+                int(balance.plastic.sum()),
+                same,
             )  # fmt: skip
         )

@@ -16,7 +16,7 @@ class Pattern:
     tables : arrays (m, k) of degrees of freedom, one row for each block of k x k numbers. free : (dofs,) bool; rows and
     columns of the others are left out.
 
-    size : of the matrix. row_starts (size + 1,), columns : compressed rows, columns ascending. Every entry of the matrix
+    size : of the matrix. row_starts (size + 1,), columns : compressed rows, columns ascending. Every entry
     lists the numbers of blocks that it is the sum of, always in the same order.
     """
 

@@ -154,7 +154,8 @@ class ImplicitSolver(ShapeReadout):
             except (Stalled, PointFailure) as reason:
                 why = self._describe(reason)
                 iterations = sum(
-                    each.increment == attempt.increment and each.attempt == number for each in self.log.iterations
+                    each.increment == attempt.increment and each.attempt == number
+                    for each in self.log.iterations
                 )
                 self._end(attempt, iterations, CUT, why)
                 dt = self._increments.cut(dt, why, self._place(attempt))
@@ -197,7 +198,7 @@ class ImplicitSolver(ShapeReadout):
         motion = free_motion(self.mesh.points, self._system.fixed, _bodies(self.mesh), self.geometry)
         if motion:
             raise SingularStiffness(
-                f"nothing holds the {motion}: the stiffness is singular; add Fixed, Prescribed or Symmetry on a boundary"
+                f"nothing holds the {motion}: the stiffness is singular; add Fixed, Prescribed or Symmetry"
             )
 
     def _describe(self, reason: Exception) -> str:

@@ -1,7 +1,7 @@
 """Forces and stiffness of the elements, the terms of a locking cure included.
 
 With u the displacements of an element, F_q its gradient at point q, C = cof F, J = det F, theta = P J as the cure
-projects it, s = (theta / J)^(1/3), Fbar = s F, Pbar the first Piola stress at Fbar, pi = Pbar : Fbar / 3, p = pi / theta:
+projects it, s = (theta / J)^(1/3), Fbar = s F, Pbar the first Piola stress there, pi = Pbar : Fbar / 3, p = pi / theta:
 
     f = sum_q w_q G_q^T [A_q + (P p)_q C_q],     A = s Pbar - pi F^-T,     G_q = dF_q / du
 
@@ -57,7 +57,19 @@ def make_scratch(dofs: int) -> ElementScratch:
 
 @kernel
 def stiffen(
-    first, last, scratch, element, cure, tables, operator, gradients, scales, stresses, tangents, forces, matrices
+    first,
+    last,
+    scratch,
+    element,
+    cure,
+    tables,
+    operator,
+    gradients,
+    scales,
+    stresses,
+    tangents,
+    forces,
+    matrices,
 ):
     """Forces of the elements on their nodes, and their derivatives.
 

@@ -35,7 +35,9 @@ class ElementSystem:
         self.fixed = supports.fixed
         self._external = ExternalForces(loads, mesh, geometry, body.nodal_mass)
         self._pressures = [
-            (load, BoundaryFacets(mesh, load.boundary, geometry)) for load in loads if isinstance(load, Pressure)
+            (load, BoundaryFacets(mesh, load.boundary, geometry))
+            for load in loads
+            if isinstance(load, Pressure)
         ]
         self._operator = gradient_operator(geometry, mesh.dimension)
         nodes = [mesh.cells, *(facets.nodes for _load, facets in self._pressures)]
