@@ -25,7 +25,7 @@ class Iteration:
 
     increment, attempt, iteration : counted from 1, 0 and 0. time : at the end of the increment, step : its size [s].
     residual : Euclidean norm of the forces out of balance [N]; relative : over that of all forces on nodes.
-    energy : |residual . correction| that led here [J]. worst : largest force out of balance [N], at `node` along
+    energy : |residual before . correction| that led here [J]. worst : largest force out of balance [N], at `node` along
     `component`. length : of the line search, 1 for a whole correction. plastic : points that flow; same : whether they
     are those of the iteration before.
     """

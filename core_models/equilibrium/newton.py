@@ -21,7 +21,7 @@ class Balance:
     """Forces out of balance at trial positions.
 
     residual : (n, d) forces of the body on its supports and loads, minus the loads [N]; zero where nothing is held.
-    scale : Euclidean norm of all forces that elements and loads exert on nodes [N].
+    scale : Euclidean norm of all forces that elements and loads exert on nodes [N], > 0 also where there are none.
     plastic : (points,) which flow.
     """
 
@@ -73,9 +73,9 @@ class Newton:
 
         Returns the positions (n, d) and how many corrections it took. Raises Stalled or PointFailure.
         """
-        system, free = self._system, self._free
+        free = self._free
         self._plastic = None
-        balance = system.balance(x, attempt.time, attempt.step)
+        balance = self._balance(x, attempt)
         jump = np.where(free, 0.0, target - x)
         moves = np.abs(jump).max() > 0.0
         self._record(balance, attempt, 0, 0.0, 1.0)
@@ -83,8 +83,8 @@ class Newton:
             if not moves and self._is_settled(balance):
                 return x, iteration - 1
             correction = self._correct(balance, jump if moves else None)
-            x, balance, length = self._move(x, correction, balance, moves, attempt)
             energy = abs(float((balance.residual * correction)[free].sum()))
+            x, balance, length = self._move(x, correction, balance, moves, attempt)
             self._record(balance, attempt, iteration, energy, length)
             if moves:
                 x = np.where(free, x, target)
@@ -129,7 +129,7 @@ class Newton:
         for trial in range(SEARCHES + 1):
             moved = x + length * correction
             try:
-                after = self._system.balance(moved, attempt.time, attempt.step)
+                after = self._balance(moved, attempt)
             except PointFailure:
                 if whole or trial == SEARCHES:
                     raise
@@ -139,18 +139,21 @@ class Newton:
             falls = self._out_of_balance(after) < self._out_of_balance(balance)
             if whole or falls or abs(left) <= SLACK * abs(work) or trial == SEARCHES:
                 break
-            length *= float(np.clip(work / (work - left), 0.1, 0.5))
-        if not math.isfinite(self._out_of_balance(after)):
-            raise Stalled("the forces are not finite")
+            overshoots = left * work < 0.0
+            length *= min(max(work / (work - left), 0.1), 0.5) if overshoots else 0.5
         return moved, after, length
+
+    def _balance(self, x: np.ndarray, attempt: Attempt) -> Balance:
+        balance = self._system.balance(x, attempt.time, attempt.step)
+        if not (math.isfinite(balance.scale) and np.isfinite(balance.residual).all()):
+            raise Stalled("the forces are not finite")
+        return balance
 
     def _is_settled(self, balance: Balance) -> bool:
         return self._out_of_balance(balance) <= self._tolerance
 
     def _out_of_balance(self, balance: Balance) -> float:
-        """Residual relative to all forces on nodes; 0 where there are none."""
-        residual = float(np.linalg.norm(balance.residual[self._free]))
-        return residual / balance.scale if balance.scale > 0.0 else 0.0
+        return float(np.linalg.norm(balance.residual[self._free])) / balance.scale
 
     def _record(
         self, balance: Balance, attempt: Attempt, iteration: int, energy: float, length: float

@@ -95,8 +95,8 @@ class ImplicitSolver(ShapeReadout):
         self._supports = Supports(loads, self.mesh, self.geometry)
         projection = make_cure(self.cure, self.mesh, self._body.space)
         self._system = ElementSystem(
-            self.mesh, self.geometry, self._body, projection, self.points, self._supports, tuple(loads),
-            self.threads,
+            self.mesh, self.geometry, self._body, projection, self.points, material, self._supports,
+            tuple(loads), self.threads,
         )  # fmt: skip
         pattern = Pattern(self._system.tables, ~self._system.fixed.ravel(), self.threads)
         linear = make_linear_solver(linear_solver, pattern)

@@ -4,7 +4,9 @@ import numpy as np
 
 from core_models.equilibrium.newton import Balance
 from core_models.geometry import Geometry
+from core_models.laws import elastic_moduli
 from core_models.loads import Load, Pressure, at_time
+from core_models.material import Material
 from core_models.points import MaterialPoints
 from core_models.threads import Threads
 from fem.body import Body
@@ -18,6 +20,10 @@ from fem.implicit.stiffness import make_scratch, stiffen
 from fem.supports import Supports
 from meshes.mesh import Mesh
 
+UNLOADED = (
+    1e-6  # strain below which a body's forces may be round-off: its residual is measured by this strain's
+)
+
 
 class ElementSystem:
     """`core_models.equilibrium.newton.System` of a body with its supports and loads.
@@ -28,8 +34,8 @@ class ElementSystem:
     """
 
     def __init__(
-        self, mesh: Mesh, geometry: Geometry, body: Body, cure, points: MaterialPoints, supports: Supports,
-        loads: tuple[Load, ...], threads: Threads,
+        self, mesh: Mesh, geometry: Geometry, body: Body, cure, points: MaterialPoints, material: Material,
+        supports: Supports, loads: tuple[Load, ...], threads: Threads,
     ) -> None:  # fmt: skip
         self._threads, self._body, self._points, self._cure = threads, body, points, cure
         self.fixed = supports.fixed
@@ -49,6 +55,7 @@ class ElementSystem:
         self._forces = np.zeros((elements, dofs))
         self._stresses = np.zeros((points.n, 3, 3))
         self._tangents = np.zeros((points.n, 9, 9))
+        self._smallest = UNLOADED * _elastic_force(body, material, mesh.dimension) * dofs**0.5
         self.forces = np.zeros(mesh.points.shape)
         self.loads: np.ndarray | None = None
         self.work = None
@@ -70,7 +77,7 @@ class ElementSystem:
         residual, square = -self.forces, float((self._forces**2).sum())
         if self.loads is not None:
             residual, square = residual - self.loads, square + float((self.loads**2).sum())
-        return Balance(residual, square**0.5, self._flowing())
+        return Balance(residual, max(square**0.5, self._smallest), self._flowing())
 
     def stiffness(self) -> list[np.ndarray]:
         """d residual / d x where `balance` has been last: blocks for each of `tables` [N/m]."""
@@ -88,3 +95,11 @@ class ElementSystem:
 def dofs_of(nodes: np.ndarray, dimension: int) -> np.ndarray:
     """Degrees of freedom (m, a d) of elements with nodes (m, a): d node + component."""
     return (dimension * nodes[:, :, None] + np.arange(dimension)).reshape(len(nodes), -1)
+
+
+def _elastic_force(body: Body, material: Material, dimension: int) -> float:
+    """Norm over the elements of shear modulus times volume over size [N]: about their forces at a strain of 1."""
+    tables = body.space.tables
+    size = tables.areas.sum(axis=1) ** (1.0 / dimension)
+    shear = elastic_moduli(material.elasticity)[1]
+    return shear * float(np.linalg.norm(tables.weights.sum(axis=1) / size))
