@@ -26,6 +26,7 @@ from mpm.body import Body
 from mpm.conduction import Conduction
 from mpm.configurations import Total, find_configuration, pull_back
 from mpm.contact import Contact, Push
+from mpm.dilatation import Dilatation, find_cure
 from mpm.forces import Forces
 from mpm.grid import RECORD, VELOCITY
 from mpm.interpolation.catalogue import check_interpolation, make_interpolation
@@ -58,8 +59,8 @@ class Solver(Body):
     transfer : 'apic', 'flip', 'pic' or 'xpic'. flip_fraction : share of FLIP in the blend with PIC.
     xpic_order : m of XPIC(m). update : of the stress, 'usl' (last) or 'musl' (last, modified).
     configuration : that the grid covers, 'updated' (the body as it is) or 'total' (the reference body).
-    seeding : 'gauss' or 'lattice'. cfl : part of h / (c + |v|), in the total configuration of h / (c |F^-1|), that is
-    taken as step, in (0, 1].
+    cure : of volumetric locking, 'mean-dilatation' or None. seeding : 'gauss' or 'lattice'.
+    cfl : part of h / (c + |v|), in the total configuration of h / (c |F^-1|), that is taken as step, in (0, 1].
 
     `advance` makes one step: particles to grid -> motion of the grid -> wall -> grid to particles -> points.
     Velocities belong to the middle of the last step, positions and stress to its end.
@@ -88,11 +89,13 @@ class Solver(Body):
         xpic_order: int = 2,
         update: str = USL,
         configuration: str = "updated",
+        cure: str | None = None,
         seeding: str = GAUSS,
         cfl: float = 0.5,
     ) -> None:
         check_interpolation(interpolation)
         check_update(update)
+        cured = find_cure(cure)
         frame = find_configuration(configuration, interpolation, conduction)
         self._transfer = make_transfer(transfer, flip_fraction, xpic_order)
         check_between("cell_size", cell_size, 0.0, math.inf, "m")
@@ -126,6 +129,9 @@ class Solver(Body):
         is_total = isinstance(frame, Total)
         # Where the particles are in the body that the grid covers: this array itself moves along in the updated one.
         self._places = self.reference_positions if is_total else self.positions
+        self._cure = Dilatation(self.points.reference_volumes, is_total) if cured else None
+        if self._cure is not None:
+            self._cure.accept(self._background)
         self._background.surround(self._places)
         mirrored = [load.boundary for load in loads if isinstance(load, Symmetry)]
         self._contact = None
@@ -189,9 +195,14 @@ class Solver(Body):
             self._check_inside(outside)
             background.surround(self._places)
             background.follow(self._places)
+        viscous = points.viscous_pressure
+        if self._cure is not None:
+            viscous = self._cure.average_pressures(
+                background, self._places, self.volume_ratio, points.old.stress, viscous
+            )
         background.fill(
             self._places, self.velocities, self.affine, self.material.density, points.reference_volumes,
-            self.volume_ratio, points.old_deformation_gradient, points.old.stress, points.viscous_pressure,
+            self.volume_ratio, points.old_deformation_gradient, points.old.stress, viscous,
             self._forces.on_particles(self.time, self.positions),
         )  # fmt: skip
         if self._filter is not None:
@@ -223,8 +234,14 @@ class Solver(Body):
         external = dt * self._forces.power(moves)
         damped = background.damped_energy(keep) if self._damping else 0.0
         lost = 0.0 if self._remap is None else self._deform_again(dt, external)
+        if self._cure is not None:
+            self._cure.average_ratios(
+                background, self._places, points.deformation_gradient, self.volume_ratio
+            )
         work = points.advance(dt)
         points.accept()
+        if self._cure is not None:
+            self._cure.accept(background)
         self._conduct(dt)
         background.convect(points.old_deformation_gradient)
         self.threads.run(advect, -(-points.n // CHUNK), dt, moves, self.positions)
