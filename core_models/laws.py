@@ -158,6 +158,21 @@ def shear_modulus(law, density_ratio, temperature, pressure, melting):
 
 
 @generic
+def shear_stiffness(law, elasticity, density_ratio, temperature, pressure, melting):
+    """Shear modulus [Pa] of the law in the slot shear_modulus, that of the elasticity where the slot is empty."""
+
+
+@shear_stiffness.register(type(None))
+def _(law, elasticity, density_ratio, temperature, pressure, melting):
+    return elastic_moduli(elasticity)[1]
+
+
+@shear_stiffness.otherwise
+def _(law, elasticity, density_ratio, temperature, pressure, melting):
+    return shear_modulus(law, density_ratio, temperature, pressure, melting)[0]
+
+
+@generic
 def melting_temperature(melting, density_ratio=1.0, pressure=0.0):
     """Melting temperature [K].
 

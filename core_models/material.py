@@ -19,6 +19,9 @@ from core_models.laws import (
     melting_temperature,
     pressure,
     return_to_surface,
+    shear_modulus,
+    shear_stiffness,
+    under_pressure,
 )
 from core_models.model import Model
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
@@ -32,14 +35,15 @@ SLOTS = {
     "flow": flow_stress,
     "yield_condition": return_to_surface,
     "damage": damage_increment,
+    "shear_modulus": shear_modulus,
     "melting": melting_temperature,
     "specific_heat": heat_capacity,
     "heating": heated_fraction,
     "erosion": eroded_stress,
 }
-EMPTY_SLOTS = ("shear_modulus", "kinematic_hardening", "stability")
-PLASTIC_SLOTS = ("eos", "flow", "yield_condition", "damage", "melting", "heating", "erosion")
-LARGEST_MODULUS_GAP = 0.2  # between the card's bulk modulus and rho_0 C_0^2
+EMPTY_SLOTS = ("kinematic_hardening", "stability")
+PLASTIC_SLOTS = ("eos", "flow", "yield_condition", "shear_modulus", "damage", "melting", "heating", "erosion")
+LARGEST_MODULUS_GAP = 0.2  # between the card's moduli and those that the other laws have at rest
 
 
 @dataclass(frozen=True)
@@ -100,6 +104,11 @@ class Material:
         """Whether points carry a temperature."""
         return self.uses("uses_temperature") or self.melting is not None or self.heating is not None
 
+    def shear_at_rest(self, temperature: float) -> float:
+        """Shear modulus [Pa] at a temperature [K], without stress."""
+        melting = melting_temperature(self.melting)
+        return shear_stiffness(self.shear_modulus, self.elasticity, 1.0, temperature, 0.0, melting)
+
     def effects(self) -> list[Effect]:
         """Which effects this material brings into a simulation, and why the others are absent."""
         return material_effects(self)
@@ -149,6 +158,12 @@ def _complaints(m: Material):
     yield (
         m.thermal_conductivity is not None and not m.thermal_conductivity > 0.0,
         f"thermal_conductivity must be positive, not {m.thermal_conductivity!r} W/(m K): leave it out if unknown",
+    )
+    resting = m.shear_at_rest(m.room_temperature)
+    yield (
+        abs(resting - shear) > LARGEST_MODULUS_GAP * shear,
+        f"{type(m.shear_modulus).__name__} gives {resting:.4g} Pa at room temperature and the card's shear modulus is "
+        f"{shear:.4g} Pa: they describe the same stiffness, correct one of them",
     )
     for slot in PLASTIC_SLOTS:
         yield (
@@ -203,8 +218,9 @@ def _complaints(m: Material):
         )
     if m.flow is not None:
         variable = getattr(m.flow, "hardening_variable", 0.0)
-        start = flow_stress(m.flow, variable, 0.0, 0.0, m.room_temperature)[0]
+        flow = under_pressure(m.flow, 1.0, 0.0, melting)
+        start = flow_stress(flow, variable, 0.0, 0.0, m.room_temperature)[0]
         yield (
-            not 0.0 <= start < shear,
-            f"the initial flow stress {start:.4g} Pa must lie between 0 and the shear modulus {shear:.4g} Pa",
+            not 0.0 <= start < resting,
+            f"the initial flow stress {start:.4g} Pa must lie between 0 and the shear modulus {resting:.4g} Pa",
         )

@@ -13,6 +13,7 @@ class Model(NamedTuple):
     flow: tuple | None
     yield_condition: tuple | None
     damage: tuple | None
+    shear_modulus: tuple | None
     melting: tuple | None
     specific_heat: tuple | None
     heating: tuple | None

@@ -12,6 +12,7 @@ from mpm.configurations import Total, Updated
 from mpm.grid import FORCE, MASS, RECORD, VELOCITY, block_nodes, clear, make_grid, with_storage
 from mpm.interpolation import layers
 from mpm.interpolation.catalogue import Interpolation
+from mpm.interpolation.cpdi import ConvectedDomain, step_factor
 from mpm.mirrors import Mirror, fold, reflect
 from mpm.motion import accelerate, carry_affine, settle
 from mpm.order import MOVED, lay_out, locate_particles, make_order, sort_particles
@@ -55,6 +56,17 @@ class Background:
         self.grid = make_grid(self.geometry, self.cell_size, self._base, positions)
         self.order = make_order(len(positions), self.grid)
         self.blocks = 0
+
+    def convect(self, deformation_gradient: np.ndarray) -> None:
+        """Let the interpolation know the deformation gradient (n, 3, 3) of the particles, if it depends on it."""
+        if isinstance(self.shape, ConvectedDomain):
+            self.shape = self.shape._replace(gradient=deformation_gradient)
+
+    def step_factor(self) -> float:
+        """What the particles' domains leave of the stable step."""
+        if isinstance(self.shape, ConvectedDomain):
+            return step_factor(self.shape, self.geometry, self.cell_size, self.threads)
+        return 1.0
 
     def follow(self, positions: np.ndarray) -> int | None:
         """Sort the particles into the grid; returns the number of one that does not fit in, if there is one."""

@@ -6,21 +6,22 @@ from typing import Any
 import numpy as np
 
 from core_models.arguments import check_between
+from core_models.body_checks import check_body
 from core_models.bulk_viscosity import BulkViscosity, damped_step_factor
 from core_models.compilation import CHUNK
 from core_models.errors import RunFailure, SceneError
-from core_models.geometry import Axisymmetric, find_geometry
+from core_models.geometry import Axisymmetric, axis_names, find_geometry
 from core_models.ledger import EnergyLedger
-from core_models.load_checks import AXES, check_loads, damping_of
+from core_models.load_checks import check_loads, damping_of
 from core_models.loads import Load, Symmetry, at_time
 from core_models.material import Material
 from core_models.names import suggestion
 from core_models.points import Work
 from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.threads import Threads
-from core_models.walls import Wall, as_wall
+from core_models.walls import Wall, as_wall, check_above
 from meshes.axisymmetric import axisymmetric
-from meshes.mesh import Mesh
+from meshes.mesh import Mesh, check_mesh
 from mpm.background import Background
 from mpm.body import Body
 from mpm.conduction import Conduction
@@ -29,6 +30,7 @@ from mpm.contact import Contact, Push
 from mpm.forces import Forces
 from mpm.grid import RECORD, VELOCITY
 from mpm.interpolation.catalogue import check_interpolation, make_interpolation
+from mpm.interpolation.cpdi import ConvectedDomain, check_extent
 from mpm.limits import bounds_of, check_size
 from mpm.mirrors import find_mirrors
 from mpm.motion import AFTER, BEFORE, advect
@@ -53,7 +55,7 @@ class Solver(Body):
     displacement : initial, a function of positions (n, d) [m], or None. temperature : initial [K].
     loads : of `core_models.loads`. wall : `Wall`, 'unilateral', 'plane' or None. viscosity : BulkViscosity or None.
     threads : number of threads. conduction : whether heat is conducted (core_models.conduction), else the body is
-    adiabatic. interpolation : 'quadratic', 'cubic', 'linear' or 'gimp'.
+    adiabatic. interpolation : 'quadratic', 'cubic', 'linear', 'gimp' or 'cpdi'.
     transfer : 'apic', 'flip', 'pic' or 'xpic'. flip_fraction : share of FLIP in the blend with PIC.
     xpic_order : m of XPIC(m). update : of the stress, 'usl' (last) or 'musl' (last, modified).
     configuration : that the grid covers, 'updated' (the body as it is) or 'total' (the reference body).
@@ -90,20 +92,21 @@ class Solver(Body):
         seeding: str = GAUSS,
         cfl: float = 0.5,
     ) -> None:
+        check_mesh(mesh)
+        check_body(material, temperature, viscosity)
         check_interpolation(interpolation)
         check_update(update)
         frame = find_configuration(configuration, interpolation, conduction)
         self._transfer = make_transfer(transfer, flip_fraction, xpic_order)
         check_between("cell_size", cell_size, 0.0, math.inf, "m")
         self.cfl = check_between("cfl", cfl, 0.0, 1.0)
-        if temperature is not None:
-            check_between("temperature", temperature, 0.0, math.inf, "K")
         kind = find_geometry(geometry, mesh.dimension)
         mesh = axisymmetric(mesh) if isinstance(kind, Axisymmetric) else mesh
         wall = as_wall(wall)
-        check_loads(loads, mesh, kind, conduction=conduction)
+        self._agreement = check_loads(loads, mesh, kind, conduction=conduction)
+        check_above(wall, mesh.points, kind)
         base, mirrors = find_mirrors(mesh, kind, loads, wall, cell_size)
-        check_size(mesh, cell_size, mirrors)
+        check_size(mesh, kind, cell_size, mirrors)
         super().__init__(
             mesh, material, kind, Threads(threads), seeding=seeding, velocity=velocity, displacement=displacement,
             temperature=temperature, viscosity=viscosity, affine=self._transfer.affine, conduction=conduction,
@@ -112,7 +115,14 @@ class Solver(Body):
         if self.points.lengths is not None:
             self.points.lengths[:] = cell_size
         self.cell_size, self.transfer, self.wall = cell_size, transfer, wall
-        shape = make_interpolation(interpolation, cell_size, mesh, seeding, self.particles.areas)
+        shape = make_interpolation(
+            interpolation,
+            cell_size,
+            mesh,
+            seeding,
+            self.particles.areas,
+            self.points.old_deformation_gradient,
+        )
         bounds = bounds_of(mesh, cell_size, base, mirrors, wall)
         self._background = Background(kind, shape, cell_size, base, mirrors, bounds, self.threads, frame)
         is_total = isinstance(frame, Total)
@@ -218,6 +228,7 @@ class Solver(Body):
         work = points.advance(dt)
         points.accept()
         self._conduct(dt)
+        background.convect(points.old_deformation_gradient)
         self.threads.run(advect, -(-points.n // CHUNK), dt, moves, self.positions)
         self.velocities, self._new_velocities = self._new_velocities, self.velocities
         self._keep_books(work, external, damped, lost, hold, push, sums, kick)
@@ -225,6 +236,7 @@ class Solver(Body):
     def _constrain(self, dt: float) -> tuple[Hold, Push]:
         """Change the grid's velocity after the forces to what supports, wall and symmetry planes allow."""
         background = self._background
+        self._agreement.check(self.time + 0.5 * dt)
         hold = self._supports.impose(
             background, self.time + 0.5 * dt, self.positions, self.points.old_deformation_gradient,
             self._last_step == 0.0,
@@ -303,8 +315,8 @@ class Solver(Body):
 
     def _stable_step(self, speed: float, wave_speed: float, viscous_pressure: float) -> float:
         relative = viscous_pressure / (self.material.density * wave_speed**2)
-        damping = damped_step_factor(self.points.viscosity, relative)
-        step = self.cfl * damping * self.cell_size / self._fastest_wave(speed, wave_speed)
+        factor = damped_step_factor(self.points.viscosity, relative) * self._background.step_factor()
+        step = self.cfl * factor * self.cell_size / self._fastest_wave(speed, wave_speed)
         return step if self._conduction is None else min(step, self._conduction.limit)
 
     def _fastest_wave(self, speed: float, wave_speed: float) -> float:
@@ -320,14 +332,17 @@ class Solver(Body):
 
     def _check_inside(self, particle: int) -> None:
         """Raise RunFailure for a particle that no grid could hold."""
-        place, bounds = self.positions[particle], self._background.bounds
+        background, where = self._background, self.points.place(self.step_count + 1, self.time, particle)
+        place, bounds = self.positions[particle], background.bounds
         if not ((bounds[:, 0] <= place) & (place <= bounds[:, 1]) & np.isfinite(place)).all():
-            names = "rz" if isinstance(self.geometry, Axisymmetric) else AXES
-            where = ", ".join(f"{name} = {x:.4g} m" for name, x in zip(names, place, strict=False))
+            names = axis_names(self.geometry)
+            outside = ", ".join(f"{name} = {x:.4g} m" for name, x in zip(names, place, strict=False))
             raise RunFailure(
-                f"{self.points.place(self.step_count + 1, self.time, particle)}: the particle has left the domain "
-                f"({where}); check velocity and material, or try another resolution"
+                f"{where}: the particle has left the domain ({outside}); check velocity and material, or try another "
+                "resolution"
             )
+        if isinstance(background.shape, ConvectedDomain):
+            check_extent(background.shape, particle, self.cell_size, where)
 
     def _speed(self) -> float:
         return float(np.sqrt((self.velocities**2).sum(axis=1).max()))

@@ -98,7 +98,7 @@ def _heating(blocks: Blocks, fields: Mapping[str, Any]) -> TaylorQuinney | None:
             f"<{coefficient.tag}> heats nothing",
             "add <specific_heat> and a flow law, or delete it",
         )
-    laws = (fields["flow"], fields.get("damage"))
+    laws = (fields["flow"], fields.get("damage"), fields.get("shear_modulus"))
     felt = fields.get("melting") is not None or any(getattr(law, "uses_temperature", False) for law in laws)
     if not possible or not (felt or coefficient is not None):
         return None

@@ -8,7 +8,6 @@ from core_models.compilation import inside_kernel
 from core_models.laws import (
     complete,
     damage_increment,
-    elastic_moduli,
     eroded_stress,
     heat_capacity,
     heated_fraction,
@@ -18,6 +17,7 @@ from core_models.laws import (
 from core_models.rows import BALANCE, get, put
 from core_models.state import PointState
 from core_models.tensors import mean, plus_isotropic, scaled
+from core_models.updates.conditions import shear_before
 from core_models.updates.prediction import NO_STRESS
 
 FOUR_THIRDS = 4.0 / 3.0
@@ -78,7 +78,7 @@ def complete_point(material, viscosity, prediction, correction, dt, length, poin
     j1 = prediction.volume_ratio_1
     deviator, deviatoric_work, elastic = complete(material.update, material, prediction, correction, point)
     to_cauchy = stress_measure(material.update, j1) / j1
-    shear = elastic_moduli(material.elasticity)[1] * to_cauchy
+    shear = shear_before(material, point, prediction.volume_ratio_0) * to_cauchy
     p = advance_pressure(material, viscosity, prediction, dt, length, shear, deviatoric_work, point)
     increment, flow_stress = correction.increment, correction.flow_stress
     dissipation = stress_measure(material.update, j1) * flow_stress * increment

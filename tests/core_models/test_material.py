@@ -143,7 +143,8 @@ def test_effects_are_listed_with_reasons(copper, hot_copper):
     assert {name for name, effect in full.items() if not effect.on} == {
         "erosion",
         "kinematic hardening",
-        "temperature-dependent shear modulus",
+        "variable shear modulus",
+        "strength under pressure",
         "loss of stability",
     }
     assert not any(effect.on for effect in bare.values())
