@@ -8,8 +8,9 @@ which have the same sum, 1, and the same first moment, so force and torque are t
 particle's domain, its volume over its face, a force F then acts on it like the stress F b / V, and goes on from the
 middle of the body: a uniform stress is in balance with it node by node. N_i(x) alone is not fit for forces: a surface
 enters a layer of cells before its particles do, and a finite force on a node with next to no mass would strain them
-without bound. Source: Liang, Given & Soga, Comput. Methods Appl. Mech. Eng. 404 (2023) 115785 (virtual stress), here in
-one layer of particles.
+without bound.
+Source: Liang, Given & Soga, Comput. Methods Appl. Mech. Eng. 404 (2023) 115785 (virtual stress), here in one layer of
+particles.
 """
 
 from collections.abc import Sequence
@@ -23,7 +24,7 @@ from mpm.geometries import dimension_of, stand
 from mpm.grid import FORCE, MASS, RECORD, VELOCITY, node_at
 from mpm.interpolation import reach
 from mpm.interpolation.catalogue import Interpolation
-from mpm.interpolation.cpdi import ConvectedDomain, extents
+from mpm.interpolation.cpdi import ConvectedDomain, corner_gradients
 from mpm.interpolation.gimp import UniformGimp
 from mpm.interpolation.linear import LinearHat
 from mpm.tile import SLOPES, STENCIL, WEIGHTS, put_stencil
@@ -34,16 +35,12 @@ def point_shape(shape):
     return LinearHat() if isinstance(shape, UniformGimp | ConvectedDomain) else shape
 
 
-def particle_shape(shape, particles: np.ndarray, cell_size: float):
-    """The interpolation of some of the particles, numbered anew; convected domains by the boxes round them.
-
-    A force through particles needs slopes whose nodes are a product along the axes; domains wider than a cell are
-    taken as wide as that, which changes what nodes share a force, not its sum or moment.
-    """
+def particle_shape(shape, particles: np.ndarray):
+    """The interpolation of some of the particles, numbered anew."""
     if isinstance(shape, UniformGimp):
         return UniformGimp(shape.halves[particles])
     if isinstance(shape, ConvectedDomain):
-        return UniformGimp(np.minimum(0.5 * extents(shape, particles), 0.5 * cell_size))
+        return ConvectedDomain(shape.half_edges[particles], shape.gradient[particles])
     return shape
 
 
@@ -89,6 +86,18 @@ def reached(geometry, shape, grid, points: np.ndarray) -> tuple[np.ndarray, np.n
     return nodes.reshape(k, -1, 3), product.reshape(k, -1), np.stack(products, axis=-1).reshape(k, -1, d)
 
 
+def sloping(geometry, shape, grid, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Nodes (k, a, 3), from base, that particles at points (k, d) [m] reach, and slopes of weights (k, a, d) [1/m]."""
+    if not isinstance(shape, ConvectedDomain):
+        nodes, _weights, slopes = reached(geometry, shape, grid, points)
+        return nodes, slopes
+    k, d = points.shape
+    offsets, factors = corner_gradients(shape)
+    nodes, weights, _slopes = reached(geometry, LinearHat(), grid, (points[:, None] + offsets).reshape(-1, d))
+    slopes = weights.reshape(k, 2**d, -1, 1) * factors[:, :, None]
+    return nodes.reshape(k, -1, 3), slopes.reshape(k, -1, d)
+
+
 class Through(NamedTuple):
     """The particles that surface points belong to.
 
@@ -130,7 +139,7 @@ class Anchors:
             nodes, weights, _slopes = reached(geometry, shape, grid, points)
         else:
             inner, weights, _slopes = reached(geometry, shape, grid, points - through.thickness)
-            outer, _weights, slopes = reached(geometry, through.shape, grid, through.particles)
+            outer, slopes = sloping(geometry, through.shape, grid, through.particles)
             nodes = np.concatenate([inner, outer], axis=1)
             weights = np.concatenate([weights, np.einsum("kai,ki->ka", slopes, through.thickness)], axis=1)
         signs = np.ones((*weights.shape, d))

@@ -169,9 +169,7 @@ class Background:
         self, points: np.ndarray, particles: np.ndarray, positions: np.ndarray, thickness: np.ndarray
     ) -> Anchors:
         """Points (k, d) [m] held through particles (k,) of all these positions (n, d) [m], thickness (k, d) [m]."""
-        through = Through(
-            positions[particles], thickness, particle_shape(self.shape, particles, self.cell_size)
-        )
+        through = Through(positions[particles], thickness, particle_shape(self.shape, particles))
         return Anchors(self.geometry, point_shape(self.shape), self.grid, self._pairs, points, through)
 
     def carried(self, positions: np.ndarray, affine: np.ndarray) -> np.ndarray:

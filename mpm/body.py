@@ -5,15 +5,15 @@ from typing import Any
 import numpy as np
 
 from core_models.bulk_viscosity import BulkViscosity
-from core_models.errors import SceneError
 from core_models.geometry import Geometry
 from core_models.initial_deformation import deform_slowly
+from core_models.initial_motion import field_values, initial_velocities
 from core_models.material import Material
 from core_models.points import MaterialPoints
 from core_models.threads import Threads
 from meshes.mesh import Mesh
 from mpm.configurations import Total, Updated
-from mpm.initial import field_gradients, field_values, initial_gradients, initial_velocities
+from mpm.initial import field_gradients, initial_gradients
 from mpm.particles import domain_corners, seed
 from mpm.shape import Boundary, deformed
 
@@ -116,12 +116,8 @@ class Body:
 
     def _displace(self, displacement: Any) -> None:
         """Move the particles to X + u(X) and give them the state of that deformation."""
-        if not callable(displacement):
-            raise SceneError(
-                f"displacement = {displacement!r} is no function of positions: give one, or None"
-            )
         reference = self.reference_positions
-        self.positions += field_values("displacement", displacement, reference)
+        self.positions += field_values("displacement", displacement, reference, "m")
         self.points.deformation_gradient[:] = initial_gradients(displacement, reference, self.geometry)
         self.stored_energy, self.plastic_energy = deform_slowly(self.points)
         self.volume_ratio = self.points.volume_ratio

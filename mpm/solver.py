@@ -6,21 +6,22 @@ from typing import Any
 import numpy as np
 
 from core_models.arguments import check_between
+from core_models.body_checks import check_body
 from core_models.bulk_viscosity import BulkViscosity, damped_step_factor
 from core_models.compilation import CHUNK
 from core_models.errors import RunFailure, SceneError
-from core_models.geometry import Axisymmetric, find_geometry
+from core_models.geometry import Axisymmetric, axis_names, find_geometry
 from core_models.ledger import EnergyLedger
-from core_models.load_checks import AXES, check_loads, damping_of
+from core_models.load_checks import check_loads, damping_of
 from core_models.loads import Load, Symmetry, at_time
 from core_models.material import Material
 from core_models.names import suggestion
 from core_models.points import Work
 from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.threads import Threads
-from core_models.walls import Wall, as_wall
+from core_models.walls import Wall, as_wall, check_above
 from meshes.axisymmetric import axisymmetric
-from meshes.mesh import Mesh
+from meshes.mesh import Mesh, check_mesh
 from mpm.background import Background
 from mpm.body import Body
 from mpm.conduction import Conduction
@@ -93,6 +94,8 @@ class Solver(Body):
         seeding: str = GAUSS,
         cfl: float = 0.5,
     ) -> None:
+        check_mesh(mesh)
+        check_body(material, temperature, viscosity)
         check_interpolation(interpolation)
         check_update(update)
         cured = find_cure(cure)
@@ -100,14 +103,13 @@ class Solver(Body):
         self._transfer = make_transfer(transfer, flip_fraction, xpic_order)
         check_between("cell_size", cell_size, 0.0, math.inf, "m")
         self.cfl = check_between("cfl", cfl, 0.0, 1.0)
-        if temperature is not None:
-            check_between("temperature", temperature, 0.0, math.inf, "K")
         kind = find_geometry(geometry, mesh.dimension)
         mesh = axisymmetric(mesh) if isinstance(kind, Axisymmetric) else mesh
         wall = as_wall(wall)
-        check_loads(loads, mesh, kind, conduction=conduction)
+        self._agreement = check_loads(loads, mesh, kind, conduction=conduction)
+        check_above(wall, mesh.points, kind)
         base, mirrors = find_mirrors(mesh, kind, loads, wall, cell_size)
-        check_size(mesh, cell_size, mirrors)
+        check_size(mesh, kind, cell_size, mirrors)
         super().__init__(
             mesh, material, kind, Threads(threads), seeding=seeding, velocity=velocity, displacement=displacement,
             temperature=temperature, viscosity=viscosity, affine=self._transfer.affine, conduction=conduction,
@@ -251,6 +253,7 @@ class Solver(Body):
     def _constrain(self, dt: float) -> tuple[Hold, Push]:
         """Change the grid's velocity after the forces to what supports, wall and symmetry planes allow."""
         background = self._background
+        self._agreement.check(self.time + 0.5 * dt)
         hold = self._supports.impose(
             background, self.time + 0.5 * dt, self.positions, self.points.old_deformation_gradient,
             self._last_step == 0.0,
@@ -349,7 +352,7 @@ class Solver(Body):
         background, where = self._background, self.points.place(self.step_count + 1, self.time, particle)
         place, bounds = self.positions[particle], background.bounds
         if not ((bounds[:, 0] <= place) & (place <= bounds[:, 1]) & np.isfinite(place)).all():
-            names = "rz" if isinstance(self.geometry, Axisymmetric) else AXES
+            names = axis_names(self.geometry)
             outside = ", ".join(f"{name} = {x:.4g} m" for name, x in zip(names, place, strict=False))
             raise RunFailure(
                 f"{where}: the particle has left the domain ({outside}); check velocity and material, or try another "

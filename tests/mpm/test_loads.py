@@ -107,7 +107,8 @@ def test_equal_pressure_all_round_moves_nothing_off(body):
 
 
 @pytest.mark.parametrize(
-    ("interpolation", "heights"), [("quadratic", (4.25, 4.251, 4.3, 4.6, 4.9)), ("cubic", (4.75, 4.8))]
+    ("interpolation", "heights"),
+    [("quadratic", (4.25, 4.251, 4.6, 4.9)), ("cubic", (4.75, 4.8)), ("gimp", (4.501,)), ("cpdi", (4.501,))],
 )
 def test_a_loaded_surface_may_lie_anywhere_in_its_cells(body, elastic, interpolation, heights):
     """At rest under a traction, no particle is stressed much more than the rest, however few share the last nodes."""
