@@ -19,6 +19,7 @@ from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.threads import Threads
 from core_models.walls import Wall, as_wall
 from fem.body import Body
+from fem.checkpoint import Restartable
 from fem.conduction import Conduction
 from fem.cures.choice import find_cure
 from fem.elements import FULL
@@ -34,7 +35,7 @@ from meshes.mesh import Mesh
 QUASI_STATIC = 1e9  # s: time in which an initial displacement is imposed, so that no rate matters
 
 
-class ExplicitSolver(Readout):
+class ExplicitSolver(Restartable, Readout):
     """Explicit dynamics of a body.
 
     Parameters

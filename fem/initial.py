@@ -36,4 +36,4 @@ def _field(name: str, value: np.ndarray, points: np.ndarray, unit: str) -> np.nd
         )
     if not np.isfinite(value).all():
         raise SceneError(f"{name} is not finite everywhere: give finite numbers [{unit}]")
-    return np.array(np.broadcast_to(value, points.shape))
+    return np.array(np.broadcast_to(value, points.shape), order="C")

@@ -42,7 +42,7 @@ def field_values(name: str, function: Callable[[np.ndarray], Any], positions: np
     if not np.isfinite(values).all():
         place = positions[int((~np.isfinite(values)).any(axis=1).argmax())].tolist()
         raise SceneError(f"{name}: the function gives {name}s that are not finite, for example at {place} m")
-    return np.array(values)
+    return np.array(values, order="C")
 
 
 def field_gradients(function: Callable[[np.ndarray], Any], positions: np.ndarray) -> np.ndarray:
