@@ -21,6 +21,7 @@ from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.threads import Threads
 from core_models.walls import Wall, as_wall, check_above
 from fem.body import Body
+from fem.checkpoint import Restartable
 from fem.conduction import Conduction
 from fem.cures.choice import find_cure
 from fem.elements import FULL
@@ -33,7 +34,7 @@ from meshes.axisymmetric import axisymmetric
 from meshes.mesh import Mesh, check_mesh
 
 
-class ExplicitSolver(Readout):
+class ExplicitSolver(Restartable, Readout):
     """Explicit dynamics of a body.
 
     Parameters

@@ -24,6 +24,7 @@ from meshes.axisymmetric import axisymmetric
 from meshes.mesh import Mesh, check_mesh
 from mpm.background import Background
 from mpm.body import Body
+from mpm.checkpoint import Restartable
 from mpm.conduction import Conduction
 from mpm.configurations import Total, find_configuration, pull_back
 from mpm.contact import Contact, Push
@@ -45,7 +46,7 @@ from mpm.transfers import make_transfer
 from mpm.xpic import Filter
 
 
-class Solver(Body):
+class Solver(Restartable, Body):
     """Explicit dynamics of a body, from a mesh that its particles are seeded from.
 
     Parameters
