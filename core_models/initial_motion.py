@@ -47,7 +47,7 @@ def _spread(name: str, value: np.ndarray, positions: np.ndarray, unit: str) -> n
         raise SceneError(
             f"{name} has the shape {value.shape}: give {dimension} components [{unit}], or an array {positions.shape}"
         )
-    values = np.array(np.broadcast_to(value, positions.shape))
+    values = np.array(np.broadcast_to(value, positions.shape), order="C")
     bad = ~np.isfinite(values).all(axis=1)
     if bad.any():
         place = ", ".join(f"{x:.4g}" for x in positions[int(bad.argmax())])
