@@ -25,11 +25,13 @@ from core_models.laws import (
 )
 from core_models.model import Model
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
+from core_models.updates.corotation import corotated
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 
 SLOTS = {
     "update": advance_rows,
+    "objective_rate": corotated,
     "elasticity": elastic_moduli,
     "eos": pressure,
     "flow": flow_stress,
@@ -42,7 +44,17 @@ SLOTS = {
     "erosion": eroded_stress,
 }
 EMPTY_SLOTS = ("kinematic_hardening", "stability")
-PLASTIC_SLOTS = ("eos", "flow", "yield_condition", "shear_modulus", "damage", "melting", "heating", "erosion")
+PLASTIC_SLOTS = (
+    "eos",
+    "objective_rate",
+    "flow",
+    "yield_condition",
+    "shear_modulus",
+    "damage",
+    "melting",
+    "heating",
+    "erosion",
+)
 LARGEST_MODULUS_GAP = 0.2  # between the card's moduli and those that the other laws have at rest
 
 
@@ -78,6 +90,7 @@ class Material:
     heating: Any = None
     stability: Any = None
     erosion: Any = None
+    objective_rate: Any = None
     room_temperature: float = 294.0
     thermal_conductivity: float | None = None
 
@@ -173,6 +186,10 @@ def _complaints(m: Material):
     yield (
         isinstance(m.update, HyperelasticPlastic) and isinstance(m.eos, DefaultHypoelastic),
         "the hyperelastic update needs a stored energy, which default_hypo has not: take neo_hookean or mie_gruneisen",
+    )
+    yield (
+        m.objective_rate is not None and not isinstance(m.update, HypoelasticPlastic),
+        f"{type(m.update).__name__} integrates no rate: leave objective_rate out, or take the hypoelastic update",
     )
     yield (
         (m.flow is None) != (m.yield_condition is None),

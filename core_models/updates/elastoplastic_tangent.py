@@ -8,6 +8,7 @@ from core_models.rows import F0, F1, LENGTH, get, get_tensor
 from core_models.status import OK
 from core_models.tensors import determinant, inverse, mean, plus, plus_isotropic, scaled
 from core_models.updates.balance import complete_point, put_balance
+from core_models.updates.conditions import flow_before
 from core_models.updates.elastoplastic import correct_rows, predict_rows
 from core_models.updates.prediction import NO_STRESS, Correction, get_correction, get_prediction
 from core_models.updates.tangent import direction, put_change, put_stress
@@ -85,17 +86,20 @@ def linearise_point(model, f0, f1, before, after, prediction, correction, over_d
     tau = scaled(after.stress, j)
     put_stress(stresses, place, tau, inverse_f)
     motion = kinematics(model.update, model, f0, f1, before, prediction)
-    modulus = hardening_modulus(model.flow, correction.increment, over_dt, before)
+    flow = flow_before(model, before, prediction.volume_ratio_0)
+    modulus = hardening_modulus(flow, correction.increment, over_dt, before)
     mean_stress = mean(after.stress)
     by_volume, by_work = pressure_slopes(model, prediction, before, after, mean_stress)
     measure = stress_measure(model.update, j)
     for number in range(9):
         towards = direction(number, inverse_f, j)
         trial = trial_change(model.update, motion, towards, prediction)
-        flow = return_change(prediction, correction, trial, modulus)
-        work = work_change(model.update, prediction, correction, trial, flow)
+        returned = return_change(prediction, correction, trial, modulus)
+        work = work_change(model.update, prediction, correction, trial, returned)
         mean_change = by_volume * towards.volume_ratio + by_work * work
-        share = measure_change(model.update, towards.volume_ratio) * correction.factor + measure * flow.factor
+        share = (
+            measure_change(model.update, towards.volume_ratio) * correction.factor + measure * returned.factor
+        )
         change = plus(scaled(trial.trial, measure * correction.factor), scaled(prediction.trial, share))
         change = plus_isotropic(change, j * mean_change + towards.volume_ratio * mean_stress)
         put_change(tangents, place, number, change, tau, towards, inverse_f)
