@@ -8,6 +8,7 @@ from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.errors import MaterialError
 from core_models.flow.johnson_cook import JohnsonCook
+from core_models.heating.isentropic import IsentropicHeating
 from core_models.laws import (
     advance_rows,
     damage_increment,
@@ -16,11 +17,13 @@ from core_models.laws import (
     flow_stress,
     heat_capacity,
     heated_fraction,
+    isentropic_ratio,
     melting_temperature,
     pressure,
     return_to_surface,
     shear_modulus,
     shear_stiffness,
+    thermal_volume,
     under_pressure,
 )
 from core_models.model import Model
@@ -41,6 +44,7 @@ SLOTS = {
     "melting": melting_temperature,
     "specific_heat": heat_capacity,
     "heating": heated_fraction,
+    "expansion": thermal_volume,
     "erosion": eroded_stress,
 }
 EMPTY_SLOTS = ("kinematic_hardening", "stability")
@@ -53,6 +57,7 @@ PLASTIC_SLOTS = (
     "damage",
     "melting",
     "heating",
+    "expansion",
     "erosion",
 )
 LARGEST_MODULUS_GAP = 0.2  # between the card's moduli and those that the other laws have at rest
@@ -88,6 +93,7 @@ class Material:
     melting: Any = None
     specific_heat: Any = None
     heating: Any = None
+    expansion: Any = None
     stability: Any = None
     erosion: Any = None
     objective_rate: Any = None
@@ -206,8 +212,20 @@ def _complaints(m: Material):
             f"rho_0 C_0^2 = {stiffness:.4g} Pa and the bulk modulus {bulk:.4g} Pa differ by more than "
             f"{LARGEST_MODULUS_GAP:.0%}: they describe the same stiffness, correct one of them",
         )
+    is_isentropic = isinstance(m.heating, IsentropicHeating)
     yield (
-        m.heating is not None and (m.specific_heat is None or m.flow is None),
+        is_isentropic and type(m.eos) not in isentropic_ratio.implementations,
+        f"heating by volume change needs the Grüneisen gamma, which {type(m.eos).__name__} has not: "
+        "take mie_gruneisen, or the heating taylor_quinney",
+    )
+    yield (
+        m.expansion is not None and m.uses("uses_energy"),
+        f"{type(m.eos).__name__} has the thermal pressure in its energy: leave the thermal expansion out",
+    )
+    yield (
+        m.heating is not None
+        and (m.specific_heat is None or m.flow is None)
+        and not (is_isentropic and m.flow is None),
         "plastic heating needs a flow law and a specific heat: add specific_heat or leave heating out",
     )
     yield (

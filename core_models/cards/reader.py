@@ -12,7 +12,6 @@ from core_models.cards.blocks import check_attributes, named_children, names_of
 from core_models.cards.bodies import Cylinder, read_body
 from core_models.cards.includes import load_document
 from core_models.cards.models import check_ascending, chosen_model, read_numbers
-from core_models.cards.numbers import check_inert
 from core_models.cards.origins import origin, refusal
 from core_models.errors import MaterialError
 from core_models.material import Material
@@ -20,7 +19,7 @@ from core_models.schema import (
     CONSTANTS,
     DEAD_TAGS,
     ELASTICITY,
-    EXPANSION,
+    EXPANSION_COEFFICIENT,
     HEATED_FRACTION,
     SLOTS,
     UPDATE,
@@ -104,7 +103,9 @@ def _outer_names() -> dict[str, str]:
 
 def _inner_names(update: ModelSchema) -> dict[str, str]:
     """Every tag that may stand in the block of an update, mapped to its canonical name."""
-    return names_of((*ELASTICITY, *update.parameters, HEATED_FRACTION, EXPANSION)) | _slot_names(MODEL_TAG)
+    return names_of((*ELASTICITY, *update.parameters, HEATED_FRACTION, EXPANSION_COEFFICIENT)) | _slot_names(
+        MODEL_TAG
+    )
 
 
 def _slot_names(place: str) -> dict[str, str]:
@@ -115,8 +116,6 @@ def _material(blocks: Blocks, name: str) -> Material:
     update = chosen_model(blocks.model, UPDATE)
     constants = read_numbers(blocks.element, CONSTANTS, blocks.outer, {})
     check_ascending(blocks.element, (("room_temp", "melt_temp"),), constants, blocks.outer)
-    if EXPANSION.tag in blocks.inner:
-        check_inert(blocks.inner[EXPANSION.tag], EXPANSION)
     settings = read_numbers(blocks.model, update.parameters, blocks.inner, {})
     moduli = read_numbers(blocks.model, ELASTICITY, blocks.inner, {})
     laws = assembled_laws(blocks, update.law(**settings), constants | moduli)
