@@ -20,6 +20,7 @@ from core_models.laws import (
     return_to_surface,
     shear_modulus,
     shear_stiffness,
+    thermal_volume,
 )
 from core_models.material_checks import cautions, complaints
 from core_models.model import Model
@@ -39,6 +40,7 @@ SLOTS = {
     "melting": melting_temperature,
     "specific_heat": heat_capacity,
     "heating": heated_fraction,
+    "expansion": thermal_volume,
     "erosion": eroded_stress,
     "objective_rate": corotated,
 }
@@ -80,6 +82,7 @@ class Material:
     melting: Any = None
     specific_heat: Any = None
     heating: Any = None
+    expansion: Any = None
     stability: Any = None
     erosion: Any = None
     objective_rate: Any = None
