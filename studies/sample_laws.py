@@ -92,7 +92,7 @@ SAMPLES = {
     ],
     "specific_heat": [ConstantSpecificHeat(383.0), CopperSpecificHeat(), SteelSpecificHeat()],
     "heating": [TaylorQuinney(0.9), IsentropicHeating(0.9)],
-    "expansion": [IsotropicExpansion(1.67e-5, 294.0)],
+    "expansion": [IsotropicExpansion(1.7e-5, 294.0)],
     "erosion": [ZeroStress(), AllowNoTension(), AllowNoShear()],
     "objective_rate": [Jaumann(), Logarithmic()],
 }  # fmt: skip

@@ -14,7 +14,7 @@ class IsentropicHeating(NamedTuple):
 
     Parameters
     ----------
-    fraction : Taylor-Quinney coefficient [-], 0 <= fraction <= 1 (0.9 for metals).
+    fraction : Taylor-Quinney coefficient [-], 0 < fraction <= 1 (0.9 for metals).
 
     Takes the Mie-Grüneisen equation of state. Source: Wilkins, Computer Simulation of Dynamic Phenomena (1999), sec. 3;
     Taylor & Quinney, Proc. R. Soc. Lond. A 143 (1934) 307.
