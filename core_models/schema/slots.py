@@ -1,5 +1,7 @@
 """The card schema of all slots: which types fill them, and with which tags."""
 
+from dataclasses import replace
+
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
@@ -9,7 +11,16 @@ from core_models.heating.taylor_quinney import TaylorQuinney
 from core_models.objective_rate.jaumann import Jaumann
 from core_models.objective_rate.logarithmic import Logarithmic
 from core_models.schema.damage import DAMAGE, EROSION
-from core_models.schema.entries import NOT_NEGATIVE, POSITIVE, ZERO, Inert, ModelSchema, Parameter, SlotSchema
+from core_models.schema.entries import (
+    NOT_NEGATIVE,
+    POSITIVE,
+    ZERO,
+    Inert,
+    Interval,
+    ModelSchema,
+    Parameter,
+    SlotSchema,
+)
 from core_models.schema.flow import FLOW
 from core_models.schema.quantities import HEATED_FRACTION, TOLERANCE
 from core_models.schema.state_functions import MELTING, SHEAR_MODULUS, SPECIFIC_HEAT
@@ -124,7 +135,7 @@ HEATING = SlotSchema(
             types=("isentropic",),
             law=IsentropicHeating,
             help="heat from plastic work and from the change of volume; with mie_gruneisen",
-            parameters=(HEATED_FRACTION,),
+            parameters=(replace(HEATED_FRACTION, range=Interval(0.0, 1.0)),),
         ),
     ),
     plain=("none",),
