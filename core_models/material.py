@@ -10,6 +10,7 @@ from core_models.errors import MaterialError
 from core_models.flow.johnson_cook import JohnsonCook
 from core_models.laws import (
     advance_rows,
+    back_stress_constants,
     damage_increment,
     elastic_moduli,
     eroded_stress,
@@ -25,8 +26,11 @@ from core_models.laws import (
 )
 from core_models.model import Model
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
+from core_models.updates.general import General
+from core_models.updates.general_problem import return_stress
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.yield_condition.von_mises import VonMises
 
 SLOTS = {
     "update": advance_rows,
@@ -34,6 +38,7 @@ SLOTS = {
     "eos": pressure,
     "flow": flow_stress,
     "yield_condition": return_to_surface,
+    "kinematic_hardening": back_stress_constants,
     "damage": damage_increment,
     "shear_modulus": shear_modulus,
     "melting": melting_temperature,
@@ -41,8 +46,10 @@ SLOTS = {
     "heating": heated_fraction,
     "erosion": eroded_stress,
 }
-EMPTY_SLOTS = ("kinematic_hardening", "stability")
-PLASTIC_SLOTS = ("eos", "flow", "yield_condition", "shear_modulus", "damage", "melting", "heating", "erosion")
+EMPTY_SLOTS = ("stability",)
+PLASTIC_SLOTS = (
+    "eos", "flow", "yield_condition", "kinematic_hardening", "shear_modulus", "damage", "melting", "heating", "erosion",
+)  # fmt: skip
 LARGEST_MODULUS_GAP = 0.2  # between the card's moduli and those that the other laws have at rest
 
 
@@ -88,7 +95,12 @@ class Material:
     @property
     def model(self) -> Model:
         """The laws as compiled code sees them."""
-        return Model(*(getattr(self, name) for name in Model._fields))
+        model = Model(*(getattr(self, name) for name in Model._fields))
+        return (
+            model._replace(update=General(self.update, self.update.tolerance))
+            if has_general_return(self)
+            else model
+        )
 
     @property
     def laws(self) -> tuple:
@@ -114,6 +126,18 @@ class Material:
         return material_effects(self)
 
 
+def has_general_return(material: Material) -> bool:
+    """Whether the laws need more than the scalar radial return."""
+    other = type(material.yield_condition) in return_stress.implementations.keys() - {VonMises}
+    return other or material.kinematic_hardening is not None
+
+
+def laws_for(slot: str) -> dict:
+    """The classes of laws that a slot takes."""
+    known = SLOTS[slot].implementations
+    return known | return_stress.implementations if slot == "yield_condition" else known
+
+
 def check_slots(material: Material) -> None:
     """Refuse a law in a slot whose generic function it does not implement."""
     for field in fields(material):
@@ -122,10 +146,8 @@ def check_slots(material: Material) -> None:
             raise MaterialError(
                 f"{material.name}: the slot {field.name} takes no law yet ({type(value).__name__} given): leave it out"
             )
-        if field.name in SLOTS and type(value) not in SLOTS[field.name].implementations and value is not None:
-            known = ", ".join(
-                sorted(c.__name__ for c in SLOTS[field.name].implementations if c is not type(None))
-            )
+        if field.name in SLOTS and type(value) not in laws_for(field.name) and value is not None:
+            known = ", ".join(sorted(c.__name__ for c in laws_for(field.name) if c is not type(None)))
             raise MaterialError(
                 f"{material.name}: {type(value).__name__} is no law for the slot {field.name}: use one of {known}"
             )
@@ -145,6 +167,13 @@ def check_combination(material: Material) -> None:
     for wrong, remedy in _complaints(material):
         if wrong:
             raise MaterialError(f"{material.name}: {remedy}")
+
+
+def feels_rate(m: Material) -> bool:
+    """Whether the flow stress depends on the strain rate or on a history of its own."""
+    if hasattr(m.flow, "hardening_variable"):
+        return True
+    return flow_stress(m.flow, 0.0, 0.01, 10.0, m.room_temperature)[3] != 0.0
 
 
 def _complaints(m: Material):
@@ -177,6 +206,16 @@ def _complaints(m: Material):
     yield (
         (m.flow is None) != (m.yield_condition is None),
         "a flow law and a yield condition go together: give both (von Mises with any flow law here) or neither",
+    )
+    yield (
+        m.kinematic_hardening is not None and not isinstance(m.yield_condition, VonMises),
+        f"{type(m.kinematic_hardening).__name__} moves the surface of von Mises, not of "
+        f"{type(m.yield_condition).__name__}: take VonMises or leave kinematic_hardening out",
+    )
+    yield (
+        getattr(m.yield_condition, "needs_rate_free_flow", False) and m.flow is not None and feels_rate(m),
+        f"{type(m.yield_condition).__name__} takes a strength that feels no strain rate, not {type(m.flow).__name__}: "
+        "take PerfectPlasticity, LinearHardening, PowerLaw, Voce, ThermalVoce or TabulatedHardening",
     )
     if isinstance(m.eos, MieGruneisen):
         stiffness = m.eos.reference_density * m.eos.C_0**2
