@@ -8,6 +8,7 @@ class Model(NamedTuple):
 
     density: float
     update: tuple
+    objective_rate: tuple | None
     elasticity: tuple
     eos: tuple
     flow: tuple | None
@@ -18,4 +19,5 @@ class Model(NamedTuple):
     melting: tuple | None
     specific_heat: tuple | None
     heating: tuple | None
+    expansion: tuple | None
     erosion: tuple | None

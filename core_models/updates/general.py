@@ -2,8 +2,8 @@
 
 Kinematics and elastic trial are those of the hypoelastic- and the hyperelastic-plastic update; the return is a local
 problem of its own for each yield condition (core_models.updates.general_problem). Where plastic flow changes the
-volume, the equation of state sees the elastic part of it, J_e = J / J_p. It is evaluated at the energy before the step,
-as the other laws are at the temperature before it.
+volume, the equation of state gives the mean Cauchy stress of the elastic part of it, J_e = J / J_p. It is evaluated at
+the energy before the step, as the other laws are at the temperature before it.
 """
 
 import math
@@ -14,7 +14,14 @@ from core_models.columns import get_point, put_point
 from core_models.compilation import inside_kernel
 from core_models.dispatch import generic
 from core_models.elementary import exponential, logarithm
-from core_models.laws import advance_rows, eroded_stress, predict_carefully, pressure, stress_measure
+from core_models.laws import (
+    advance_rows,
+    eroded_stress,
+    predict_carefully,
+    pressure,
+    stress_measure,
+    thermal_volume,
+)
 from core_models.rows import (
     F0,
     F1,
@@ -144,14 +151,14 @@ def solved_step(update, rows, k, model, over_dt):
     put_vector(rows, ROTATION_1, k, rotation)
     turned = NO_STRESS
     if status == OK:
-        turn = step_rotation(update.kinematics, f0, f1, before.rotation, rotation)
+        turn = step_rotation(update.kinematics, model.objective_rate, f0, f1, before.rotation, rotation)
         j0 = prediction.volume_ratio_0
         measured = j0 / stress_measure(update.kinematics, j0)
         turned = congruence(turn, scaled(deviator(before.stress), measured))
         turn_back_stresses(model.kinematic_hardening, turn, rows, k)
-    problem = posed(update, rows, k, prediction, over_dt, before)
+    problem = posed(update, rows, k, model, prediction, over_dt, before)
     flow = flow_before(model, before, prediction.volume_ratio_0)
-    stress, bulk = mean_stress(update.kinematics, model.eos, problem.volume, problem.energy)
+    stress, bulk = mean_stress(model.eos, problem, problem.volume)
     returned = unchanged(problem, stress, bulk)
     if has_no_strength(model, before, prediction.volume_ratio_0):
         returned = without_deviator(returned)
@@ -162,12 +169,14 @@ def solved_step(update, rows, k, model, over_dt):
 
 
 @inside_kernel
-def posed(update, rows, k, prediction, over_dt, before):
+def posed(update, rows, k, model, prediction, over_dt, before):
     """The local problem of a point."""
+    j = prediction.volume_ratio_1
     return LocalProblem(
         prediction.trial,
-        logarithm(prediction.volume_ratio_1) - get(rows, PLASTIC_VOLUME, k),
+        logarithm(j / thermal_volume(model.expansion, before.temperature)) - get(rows, PLASTIC_VOLUME, k),
         prediction.shear_3 * THIRD,
+        j / stress_measure(update.kinematics, j),
         before.internal_energy,
         before.equivalent_plastic_strain,
         before.hardening_variable,
@@ -216,7 +225,7 @@ def complete_step(update, rows, k, model, viscosity, dt, step):
         ),
         before.equivalent_plastic_strain + returned.increment,
         returned.hardening_variable,
-        heated(model, before.temperature, dissipation),
+        heated(model, before.temperature, dissipation, j0, j1),
         damaged(model, before, returned.increment, dt, mean_stress, equivalent_stress(stress)),
         before.internal_energy + work + viscous_work,
     )  # fmt: skip

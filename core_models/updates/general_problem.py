@@ -15,8 +15,6 @@ from core_models.elementary import exponential
 from core_models.laws import evolve_hardening, flow_stress, pressure
 from core_models.status import NOT_CONVERGED, OK
 from core_models.tensors import contract
-from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
-from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 
 STEPS_TO_A_STRESS = 50
 ELASTIC = 0
@@ -28,6 +26,7 @@ class LocalProblem(NamedTuple):
     """What a return starts from.
 
     trial : deviatoric trial stress (six components) [Pa]. volume : ln J_e of the trial [-]. shear : G [Pa].
+    to_measure : the update's measure of stress over Cauchy's.
     energy [J/m^3], plastic_strain, hardening_variable, temperature [K], porosity : before the step.
     over_dt : 1 / dt [1/s]. tolerance : relative.
     """
@@ -35,6 +34,7 @@ class LocalProblem(NamedTuple):
     trial: tuple
     volume: float
     shear: float
+    to_measure: float
     energy: float
     plastic_strain: float
     hardening_variable: float
@@ -83,45 +83,34 @@ def return_stress(yield_condition, model, flow, problem, rows, k):
 
 
 @generic
-def return_change(yield_condition, model, flow, problem, returned, rows, k, trial, shear, volume, spin):
+def return_change(yield_condition, model, flow, problem, returned, rows, k, trial, shear, mean, spin):
     """Change of the deviator (six components) and of the mean stress that `return_stress` gives.
 
     Parameters
     ----------
-    returned : its result, and the rows as it left them. trial, shear, volume : change of those fields of the problem.
-    spin : axial vector of the change of the rotation, dQ Q^T.
+    returned : its result, and the rows as it left them. trial, shear : change of those fields of the problem.
+    mean : change of the mean stress if the plastic strain stayed. spin : axial vector of the change of rotation dQ Q^T.
     """
 
 
-@generic
-def mean_stress(update, eos, volume, energy):
+@inside_kernel
+def mean_stress(eos, problem, volume):
     """Mean stress m [Pa] in the update's measure at ln J_e, and dm / d ln J_e [Pa]."""
-
-
-@mean_stress.register(HypoelasticPlastic)
-def _(update, eos, volume, energy):
     ratio = exponential(volume)
-    stress, slope, _by_energy = pressure(eos, ratio, energy)
-    return stress, ratio * slope
-
-
-@mean_stress.register(HyperelasticPlastic)
-def _(update, eos, volume, energy):
-    ratio = exponential(volume)
-    stress, slope, _by_energy = pressure(eos, ratio, energy)
-    return ratio * stress, ratio * (stress + ratio * slope)
+    stress, slope, _by_energy = pressure(eos, ratio, problem.energy)
+    return problem.to_measure * stress, problem.to_measure * ratio * slope
 
 
 @inside_kernel
-def volume_at(update, eos, stress, guess, energy, scale):
+def volume_at(eos, problem, stress, scale):
     """ln J_e where the mean stress is `stress`, by Newton steps; with the mean stress there and its slope."""
-    volume = guess
-    found, bulk = mean_stress(update, eos, volume, energy)
+    volume = problem.volume
+    found, bulk = mean_stress(eos, problem, volume)
     for _step in range(STEPS_TO_A_STRESS):
         if abs(found - stress) <= scale or not bulk > 0.0:
             break
         volume -= (found - stress) / bulk
-        found, bulk = mean_stress(update, eos, volume, energy)
+        found, bulk = mean_stress(eos, problem, volume)
     return volume, found, bulk
 
 

@@ -55,18 +55,19 @@ def linearise_point(update, rows, k, model, step, place, stresses, tangents):
     for number in range(9):
         towards = direction(number, inverse_f, j)
         trial = trial_change(update.kinematics, motion, towards, prediction)
+        growth = measure_change(update.kinematics, towards.volume_ratio)
         volume = towards.volume_ratio / j
+        mean_trial = returned.bulk * volume + returned.mean_stress * (volume - growth / measure)
         spin = spin_change(
             model.kinematic_hardening, update.kinematics, f1, get_vector(rows, ROTATION_1, k), towards
         )
         deviator, mean_change = return_change(
-            model.yield_condition, model, flow, problem, returned, rows, k, trial.trial, trial.shear_3 * THIRD, volume,
-            spin,
+            model.yield_condition, model, flow, problem, returned, rows, k, trial.trial, trial.shear_3 * THIRD,
+            mean_trial, spin,
         )  # fmt: skip
         if is_weak:
-            deviator, mean_change = NO_STRESS, returned.bulk * volume
+            deviator, mean_change = NO_STRESS, mean_trial
         change = plus_isotropic(deviator, mean_change if kept == mean_stress else 0.0)
-        growth = measure_change(update.kinematics, towards.volume_ratio)
         put_change(
             tangents,
             place,

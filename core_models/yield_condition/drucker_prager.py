@@ -57,7 +57,6 @@ class DruckerPrager(NamedTuple):
     tension_cutoff: float = math.inf
 
     has_plastic_volume = True
-    needs_rate_free_flow = True
 
     @classmethod
     def from_friction(
@@ -104,7 +103,7 @@ def _matched(angle: float, fit: str) -> tuple[float, float]:
 
 @return_stress.register(DruckerPrager)
 def _(yield_condition, model, flow, problem, rows, k):
-    stress, bulk = mean_stress(model.update.kinematics, model.eos, problem.volume, problem.energy)
+    stress, bulk = mean_stress(model.eos, problem, problem.volume)
     size = second_invariant_root(problem.trial)
     cone = yield_condition.cohesion_factor * strength(flow, problem, 0.0).stress
     if size + 3.0 * yield_condition.alpha * stress <= cone and stress <= yield_condition.tension_cutoff:
@@ -122,14 +121,7 @@ def _search(yield_condition, model, flow, problem, size):
         converged, gamma, k = _corner(yield_condition, flow, problem, size)
         regime = EDGE if gamma > 0.0 else PLANE
         scale = allowance(problem, k + size, bulk)
-        volume, stress, bulk = volume_at(
-            model.update.kinematics,
-            model.eos,
-            _largest(yield_condition, k),
-            problem.volume,
-            problem.energy,
-            scale,
-        )
+        volume, stress, bulk = volume_at(model.eos, problem, _largest(yield_condition, k), scale)
         converged = converged and abs(stress - _largest(yield_condition, k)) <= scale
     factor = 1.0 if size == 0.0 else max(1.0 - problem.shear * gamma / size, 0.0)
     increment = gamma * OVER_ROOT_3
@@ -154,7 +146,7 @@ def _cone(yield_condition, model, flow, problem, size):
     gamma = 0.0
     for _iteration in range(MAXIMUM_ITERATIONS):
         volume = problem.volume - b * gamma
-        stress, bulk = mean_stress(model.update.kinematics, model.eos, volume, problem.energy)
+        stress, bulk = mean_stress(model.eos, problem, volume)
         now = strength(flow, problem, gamma * OVER_ROOT_3)
         k = yield_condition.cohesion_factor * now.stress
         residual = size - problem.shear * gamma + a * stress - k
@@ -205,9 +197,9 @@ def _is_apex(yield_condition, k):
 
 
 @return_change.register(DruckerPrager)
-def _(yield_condition, model, flow, problem, returned, rows, k, trial, shear, volume, spin):
+def _(yield_condition, model, flow, problem, returned, rows, k, trial, shear, mean, spin):
     if returned.regime == ELASTIC:
-        return trial, returned.bulk * volume
+        return trial, mean
     if returned.regime == PLANE:
         return trial, 0.0
     size = second_invariant_root(problem.trial)
@@ -217,9 +209,9 @@ def _(yield_condition, model, flow, problem, returned, rows, k, trial, shear, vo
     hardening = yield_condition.cohesion_factor * now.slope * OVER_ROOT_3
     a, b = 3.0 * yield_condition.alpha, 3.0 * yield_condition.beta
     if returned.regime == CONE:
-        gamma_change = size_change - gamma * shear + a * returned.bulk * volume
+        gamma_change = size_change - gamma * shear + a * mean
         gamma_change /= problem.shear + a * b * returned.bulk + hardening
-        mean_change = returned.bulk * (volume - b * gamma_change)
+        mean_change = mean - returned.bulk * b * gamma_change
     else:
         is_apex = _is_apex(yield_condition, yield_condition.cohesion_factor * now.stress)
         gamma_change = (size_change - gamma * shear) / (problem.shear + (0.0 if is_apex else hardening))

@@ -60,7 +60,6 @@ class MohrCoulomb(NamedTuple):
     tension_cutoff: float = math.inf
 
     has_plastic_volume = True
-    needs_rate_free_flow = True
 
     def fault(self) -> str:
         """What is wrong with the parameters taken together; empty if nothing is."""
@@ -143,7 +142,7 @@ def shifted(values, p):
 
 @return_stress.register(MohrCoulomb)
 def _(yield_condition, model, flow, problem, rows, k):
-    stress, bulk = mean_stress(model.update.kinematics, model.eos, problem.volume, problem.energy)
+    stress, bulk = mean_stress(model.eos, problem, problem.volume)
     values, axes = principal(problem.trial)
     cohesion = strength(flow, problem, 0.0).stress
     if largest_excess(yield_condition, shifted(values, stress), cohesion) <= 0.0:
@@ -191,9 +190,7 @@ def _apex(law, model, flow, problem, values, limit):
     increment = math.sqrt(dot(values, values) / 6.0) / problem.shear
     now = strength(flow, problem, increment)
     target = _apex_stress(law, now.stress)
-    volume, stress, bulk = volume_at(
-        model.update.kinematics, model.eos, target, problem.volume, problem.energy, limit
-    )
+    volume, stress, bulk = volume_at(model.eos, problem, target, limit)
     converged = abs(stress - target) <= limit and volume <= problem.volume
     return Returned(
         status_of(converged), APEX, NO_STRESS, volume, stress, bulk, increment, now.variable,
@@ -235,7 +232,7 @@ def _flowing(law, model, flow, problem, values, planes, gammas):
         _slope(plane(law.dilation_angle, planes[2]), strain, increment),
     )
     volume = problem.volume - growth
-    stress, bulk = mean_stress(model.update.kinematics, model.eos, volume, problem.energy)
+    stress, bulk = mean_stress(model.eos, problem, volume)
     g = 2.0 * problem.shear
     total = (
         values[0] - g * strain[0] + stress, values[1] - g * strain[1] + stress, values[2] - g * strain[2] + stress
@@ -316,14 +313,14 @@ def _flow_on(law, model, flow, problem, values, planes, limit):
 
 
 @return_change.register(MohrCoulomb)
-def _(yield_condition, model, flow, problem, returned, rows, k, trial, shear, volume, spin):
+def _(yield_condition, model, flow, problem, returned, rows, k, trial, shear, mean, spin):
     if returned.regime == ELASTIC:
-        return trial, returned.bulk * volume
+        return trial, mean
     values, axes = principal(problem.trial)
     change = to_principal(trial, axes)
     if returned.regime == APEX:
         return NO_STRESS, _apex_change(yield_condition, flow, problem, returned, values, change, shear)
-    return _change(yield_condition, model, flow, problem, returned, values, axes, change, shear, volume)
+    return _change(yield_condition, model, flow, problem, returned, values, axes, change, shear, mean)
 
 
 @inside_kernel
@@ -338,7 +335,7 @@ def _apex_change(law, flow, problem, returned, values, change, shear):
 
 
 @beside_kernel
-def _change(law, model, flow, problem, returned, values, axes, change, shear, volume):
+def _change(law, model, flow, problem, returned, values, axes, change, shear, mean):
     """Change of deviator and mean stress on some planes: of the principal stresses, and of their axes."""
     planes = PLANES[returned.regime - 1]
     limit = _limit(flow, problem, values, returned.bulk)
@@ -346,7 +343,7 @@ def _change(law, model, flow, problem, returned, values, axes, change, shear, vo
     matrix = _matrix(law, problem, planes, now)
     strain = plastic_strain(law, planes, gammas)
     values_change, mean_change = _principal_change(
-        law, problem, planes, now, matrix, strain, change, shear, volume
+        law, problem, planes, now, matrix, strain, change, shear, mean
     )
     deviator = shifted(values_change, -mean_change)
     s = (
@@ -359,13 +356,13 @@ def _change(law, model, flow, problem, returned, values, axes, change, shear, vo
 
 
 @inside_kernel
-def _principal_change(law, problem, planes, now, matrix, strain, change, shear, volume):
-    """Change of principal and mean stresses for one of the principal trial stresses, the shear modulus and ln J_e."""
+def _principal_change(law, problem, planes, now, matrix, strain, change, shear, mean):
+    """Change of principal and mean stresses for that of the trial, the shear modulus and the mean stress."""
     g = 2.0 * shear
     bare = (
-        change[0] - g * strain[0] + now.bulk * volume,
-        change[1] - g * strain[1] + now.bulk * volume,
-        change[2] - g * strain[2] + now.bulk * volume,
+        change[0] - g * strain[0] + mean,
+        change[1] - g * strain[1] + mean,
+        change[2] - g * strain[2] + mean,
     )
     right = (
         _along(law, planes[0], bare),
@@ -377,7 +374,7 @@ def _principal_change(law, problem, planes, now, matrix, strain, change, shear, 
     g = 2.0 * problem.shear
     p = now.bulk * growth
     total = (bare[0] - g * moved[0] - p, bare[1] - g * moved[1] - p, bare[2] - g * moved[2] - p)
-    return total, now.bulk * (volume - growth)
+    return total, mean - p
 
 
 @inside_kernel

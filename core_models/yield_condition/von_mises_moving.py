@@ -31,7 +31,7 @@ def _(yield_condition, model, flow, problem, rows, k):
 
     q(xi) - 3 G dp - sum C [1 - exp(-gamma dp)] / gamma = sigma_y(dp)
     """
-    stress, bulk = mean_stress(model.update.kinematics, model.eos, problem.volume, problem.energy)
+    stress, bulk = mean_stress(model.eos, problem, problem.volume)
     xi = minus(problem.trial, recovered(model.kinematic_hardening, 0.0, rows, k)[0])
     if equivalent_stress(xi) <= strength(flow, problem, 0.0).stress:
         return unchanged(problem, stress, bulk)
@@ -87,10 +87,9 @@ def _residual(kinematic_hardening, flow, problem, increment, rows, k):
 
 
 @return_change.register(VonMises)
-def _(yield_condition, model, flow, problem, returned, rows, k, trial, shear, volume, spin):
-    mean_change = returned.bulk * volume
+def _(yield_condition, model, flow, problem, returned, rows, k, trial, shear, mean, spin):
     if returned.regime == ELASTIC:
-        return trial, mean_change
+        return trial, mean
     increment = returned.increment
     direction = scaled(minus(problem.trial, returned.deviator), 1.0 / (3.0 * problem.shear * increment))
     total, falling = recovered_before(model.kinematic_hardening, increment, direction, rows, k)
@@ -105,4 +104,4 @@ def _(yield_condition, model, flow, problem, returned, rows, k, trial, shear, vo
         scaled(direction, 3.0 * (problem.shear * growth + shear * increment)),
         scaled(turning, 3.0 * problem.shear * increment),
     )
-    return minus(trial, taken), mean_change
+    return minus(trial, taken), mean

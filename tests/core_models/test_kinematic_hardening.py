@@ -58,8 +58,8 @@ def test_linear_loop_is_the_closed_form(update, law):
     history = drive_program(steel(update, law(10e9)), cyclic(0.01, 1.0, steps=5))
     stress = history.stress[:, 0] * (1.0 if update == "hypo" else np.linalg.det(history.deformation_gradient))
     strain = history.fields["equivalent_plastic_strain"]
-    # The hyperelastic strain is that of b, which is the logarithmic one up to its square.
-    rounding, strain_tolerance = (500.0, 1e-6) if update == "hypo" else (1e6, 1e-3)
+    # The hyperelastic return is of first order in the elastic strain, 0.0014 here.
+    rounding, strain_tolerance = (500.0, 1e-6) if update == "hypo" else (1e6, 3e-3)
     assert stress[[5, 6, 15, 25]] == pytest.approx(
         [285.714e6, -114.286e6, -285.714e6, 285.714e6], abs=rounding
     )

@@ -125,7 +125,8 @@ def test_pulled_equally_the_apex_or_the_cut_off_holds(update, condition, limit):
     """The mean stress ends at c cot(friction), or at the cut-off, without shear, also without dilation."""
     history = drive_program(soil(update, condition), volumetric(0.02, 1.0, steps=4))
     assert measured(history, update)[-1] == pytest.approx([limit] * 3 + [0.0] * 3, rel=1e-8, abs=1e-3)
-    assert history.fields["plastic_volume"][-1] == pytest.approx(0.02 - limit / BULK, rel=1e-3)
+    cauchy = limit * (1.0 if update == "hypo" else math.exp(-0.02))
+    assert history.fields["plastic_volume"][-1] == pytest.approx(0.02 - cauchy / BULK, rel=1e-4)
 
 
 @pytest.mark.parametrize("angle", [0.0, 10.0, 30.0])
@@ -170,10 +171,10 @@ def test_a_turned_path_turns_the_stress(update, condition):
 def test_what_does_not_fit_is_refused():
     """A strength that feels the rate, back stresses, more dilation than friction: typed errors that say what fits."""
     fitting = soil("hypo", "cone")
-    with pytest.raises(MaterialError, match="no strain rate, not JohnsonCook: take PerfectPlasticity"):
+    with pytest.raises(MaterialError, match="feels no strain rate here: take perfect"):
         flow = JohnsonCook(1e6, 1e6, 0.02, 0.3, 1.0, 1.0, 294.0, 1356.0)
         Material("m", 2000.0, fitting.update, fitting.elasticity, fitting.eos, flow, fitting.yield_condition)
-    with pytest.raises(MaterialError, match="Prager moves the surface of von Mises"):
+    with pytest.raises(MaterialError, match="back stresses move the surface of von Mises"):
         Material(
             "m", 2000.0, fitting.update, fitting.elasticity, fitting.eos, fitting.flow, fitting.yield_condition,
             kinematic_hardening=Prager(1e6),

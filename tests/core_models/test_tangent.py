@@ -15,10 +15,13 @@ from core_models.erosion.no_shear import AllowNoShear
 from core_models.erosion.no_tension import AllowNoTension
 from core_models.erosion.zero_stress import ZeroStress
 from core_models.errors import UnsupportedError
+from core_models.expansion.isotropic import IsotropicExpansion
 from core_models.flow.anand import Anand
 from core_models.flow.voce import Voce
 from core_models.kernels import advance_points
 from core_models.material import Material
+from core_models.objective_rate.jaumann import Jaumann
+from core_models.objective_rate.logarithmic import Logarithmic
 from core_models.points import MaterialPoints, PointFailure
 from core_models.threads import Threads
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
@@ -111,6 +114,16 @@ def test_the_tangent_is_the_derivative_of_a_plastic_step(plain, copper, update, 
     assert points.new.equivalent_plastic_strain[0] > points.old.equivalent_plastic_strain[0]
 
 
+@pytest.mark.parametrize("rate", [Logarithmic(), Jaumann()])
+@pytest.mark.parametrize("flow", [None, "linear"])
+@pytest.mark.parametrize(("size", "before"), [(1e-2, 0.05), (0.5, 0.0), (0.5, 0.3)])
+def test_every_objective_rate_has_its_tangent(plain, copper, rate, flow, size, before):
+    """Elastic and plastic, with the rotation of the rate's own frame."""
+    points = prepared(copper("hypo", flow, objective_rate=rate), size, before)
+    points.deformation_gradient[0] = TURN @ points.deformation_gradient[0]
+    assert_exact(points)
+
+
 @pytest.mark.parametrize("name", sorted(shipped_materials()))
 @pytest.mark.parametrize("update", [HypoelasticPlastic(), HyperelasticPlastic()])
 def test_every_shipped_card_has_its_tangent(plain, name, update):
@@ -150,6 +163,14 @@ def test_the_tangent_holds_where_the_step_turns_far(plain, pool, name, turn):
 def test_the_pressure_follows_the_energy_of_the_step(plain, hot_copper, update, size):
     """Mie-Grüneisen: the work of the step enters the pressure that does it, in compression and in tension."""
     assert_exact(prepared(hot_copper(update, "jc"), size, 0.1, internal_energy=5e9))
+
+
+@pytest.mark.parametrize("update", ["hypo", "hyper"])
+def test_a_warm_body_has_its_tangent(plain, copper, update):
+    """Thermal expansion takes part in the slope of the pressure."""
+    assert_exact(
+        prepared(copper(update, expansion=IsotropicExpansion(1e-4, 294.0)), 0.2, 0.1, temperature=900.0)
+    )
 
 
 @pytest.mark.parametrize("update", ["hypo", "hyper"])
