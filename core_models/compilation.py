@@ -26,6 +26,7 @@ UNUSED_CACHE_LIFETIME = 30 * 24 * 3600.0  # s
 CHUNK = 256  # points; fixed, so that sums over chunks do not depend on the number of threads
 
 _per_material_kernels: list = []
+_own_laws: list[str] = []  # hashes of the users' files with laws
 
 
 def inside_kernel(function: Callable) -> Callable:
@@ -51,6 +52,8 @@ def material_kernel(function: Callable) -> Callable:
     """Compile a kernel whose machine code depends on the laws of a material; see `rekey_cache`."""
     compiled = kernel(function)
     _per_material_kernels.append(compiled)
+    if _own_laws:
+        _use_own_folder(compiled)
     return compiled
 
 
@@ -99,12 +102,19 @@ def use_whole_registers() -> None:
 
 def rekey_cache(extra: bytes) -> None:
     """Give the kernels that depend on laws a cache folder that also depends on `extra` (sources of a user's laws)."""
-    digest = hashlib.sha256(extra).hexdigest()[:16]
-    folder = Path(numba.config.CACHE_DIR) / f"laws-{digest}"
-    numba.config.CACHE_DIR = str(folder)
+    _own_laws.append(hashlib.sha256(extra).hexdigest()[:16])
     for compiled in _per_material_kernels:
-        if hasattr(compiled, "enable_caching"):
-            compiled.enable_caching()
+        _use_own_folder(compiled)
+
+
+def _use_own_folder(compiled) -> None:
+    """Cache a kernel under the users' laws; the kernels that no law enters stay where everybody finds them."""
+    if not hasattr(compiled, "enable_caching"):
+        return
+    shared = numba.config.CACHE_DIR
+    numba.config.CACHE_DIR = str(Path(shared).joinpath(*(f"laws-{digest}" for digest in _own_laws)))
+    compiled.enable_caching()
+    numba.config.CACHE_DIR = shared
 
 
 def _remove_unused_caches(root: Path) -> None:

@@ -2,8 +2,7 @@
 
 from typing import NamedTuple
 
-from core_models.laws import under_pressure
-from core_models.melting.constant import ConstantMelting
+from core_models.laws import under_pressure, volume_warming
 
 NOT_OFFERED = "the card gives none, and none is offered yet"
 
@@ -21,19 +20,30 @@ def material_effects(m) -> list[Effect]:
     energy = m.eos if m.uses("uses_energy") else None
     volumetric = m.update if m.eos is None else m.eos
     softening = m.flow if getattr(m.flow, "uses_temperature", False) else None
+    pressed = m.flow if type(m.flow) in under_pressure.implementations else None
     return [
         _effect("plasticity", m.flow, "the card has no flow law"),
         _effect("kinematic hardening", m.kinematic_hardening, NOT_OFFERED),
-        _effect("temperature-dependent shear modulus", m.shear_modulus, NOT_OFFERED),
+        _effect(
+            "variable shear modulus",
+            m.shear_modulus,
+            "the card gives no shear_modulus_model: it is constant",
+        ),
         _effect(
             "equation of state with energy",
             energy,
             f"{type(volumetric).__name__} does not depend on the energy",
         ),
         Effect("plastic heating", m.heating is not None, _heating_reason(m)),
+        _effect(
+            "heat of volume change",
+            m.heating if type(m.heating) in volume_warming.implementations else None,
+            "the card asks for no isentropic heating",
+        ),
+        _effect("thermal expansion", m.expansion, "the card gives no coefficient of thermal expansion"),
         _effect("thermal softening", softening, "the flow law does not depend on the temperature"),
-        *_under_pressure(m),
-        _effect("melting", m.melting, "the card gives no melt_temp"),
+        _effect("strength under pressure", pressed, "the flow law does not depend on density and pressure"),
+        _effect("melting", m.melting, "the card gives neither melt_temp nor melting_temp_model"),
         _effect("damage", m.damage, "the card has no damage model"),
         _effect(
             "erosion", m.erosion, "the card asks for none: damage is computed and reported, it does not act"
@@ -45,19 +55,6 @@ def material_effects(m) -> list[Effect]:
 def _effect(name: str, law: tuple | None, absent: str) -> Effect:
     reason = absent if law is None else f"the card asks for it ({type(law).__name__})"
     return Effect(name, law is not None, reason)
-
-
-def _under_pressure(m) -> list[Effect]:
-    """What laws that know of density and pressure do not get from the updates; nothing for other laws."""
-    laws = {
-        "strength under pressure": m.flow if type(m.flow) in under_pressure.implementations else None,
-        "melting under pressure": None if isinstance(m.melting, ConstantMelting) else m.melting,
-    }
-    return [
-        Effect(name, False, f"no update hands density and pressure to {type(law).__name__} yet: as at rest")
-        for name, law in laws.items()
-        if law is not None
-    ]
 
 
 def _heating_reason(m) -> str:

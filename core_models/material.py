@@ -1,13 +1,12 @@
 """A material: one law per slot, and which slots fit together."""
 
-from dataclasses import dataclass, fields
+import logging
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 from core_models.effects import Effect, material_effects
-from core_models.eos.default_hypo import DefaultHypoelastic
-from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.errors import MaterialError
-from core_models.flow.johnson_cook import JohnsonCook
 from core_models.laws import (
     advance_rows,
     damage_increment,
@@ -19,9 +18,14 @@ from core_models.laws import (
     melting_temperature,
     pressure,
     return_to_surface,
+    shear_modulus,
+    shear_stiffness,
+    thermal_volume,
 )
+from core_models.material_checks import cautions, complaints
 from core_models.model import Model
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
+from core_models.updates.corotation import corotated
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 
@@ -32,14 +36,18 @@ SLOTS = {
     "flow": flow_stress,
     "yield_condition": return_to_surface,
     "damage": damage_increment,
+    "shear_modulus": shear_modulus,
     "melting": melting_temperature,
     "specific_heat": heat_capacity,
     "heating": heated_fraction,
+    "expansion": thermal_volume,
     "erosion": eroded_stress,
+    "objective_rate": corotated,
 }
-EMPTY_SLOTS = ("shear_modulus", "kinematic_hardening", "stability")
-PLASTIC_SLOTS = ("eos", "flow", "yield_condition", "damage", "melting", "heating", "erosion")
-LARGEST_MODULUS_GAP = 0.2  # between the card's bulk modulus and rho_0 C_0^2
+EMPTY_SLOTS = ("kinematic_hardening", "stability")
+REQUIRED_SLOTS = ("update", "elasticity")
+
+log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
@@ -53,10 +61,12 @@ class Material:
     The other slots : laws of core_models.<slot>; all but eos and elasticity may be left out.
     room_temperature : initial temperature unless a body gives its own [K].
     thermal_conductivity : k [W/(m K)], > 0, or None.
+    origins : file and line of each slot in the card that the material comes from, for messages.
 
     Raises
     ------
-    MaterialError : a law in the wrong slot, or laws that make no sense together.
+    MaterialError : a law in the wrong slot, numbers out of their ranges, or laws that make no sense together
+    (core_models.compatibility).
     """
 
     name: str
@@ -72,14 +82,50 @@ class Material:
     melting: Any = None
     specific_heat: Any = None
     heating: Any = None
+    expansion: Any = None
     stability: Any = None
     erosion: Any = None
+    objective_rate: Any = None
     room_temperature: float = 294.0
     thermal_conductivity: float | None = None
+    origins: Mapping[str, str] = field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
-        check_slots(self)
-        check_combination(self)
+        self.check_slots()
+        self.check_combination()
+
+    def check_slots(self) -> None:
+        """Refuse a law in a slot whose generic function it does not implement."""
+        for slot in EMPTY_SLOTS:
+            if getattr(self, slot) is not None:
+                given = type(getattr(self, slot)).__name__
+                raise self.error(slot, f"the slot {slot} takes no law yet ({given} given): leave it out")
+        for slot, implemented in SLOTS.items():
+            law, classes = getattr(self, slot), implemented.implementations
+            if law is not None and type(law) not in classes:
+                known = ", ".join(sorted(known.__name__ for known in classes if known is not type(None)))
+                raise self.error(
+                    slot, f"{type(law).__name__} is no law for the slot {slot}: use one of {known}"
+                )
+        for slot in REQUIRED_SLOTS:
+            if getattr(self, slot) is None:
+                raise self.error(slot, f"a material needs a law in the slot {slot}")
+
+    def check_combination(self) -> None:
+        """Refuse numbers and combinations that make no sense, log what should be known."""
+        for slot, text in complaints(self):
+            raise self.error(slot, text)
+        for slot, text in cautions(self):
+            log.warning("%s: %s", self.place(slot), text)
+
+    def place(self, slot: str) -> str:
+        """Where the law of a slot stands: file and line of the card, and the material's name."""
+        origin = self.origins.get(slot, self.origins.get("update"))
+        return self.name if origin is None else f"{origin}: {self.name}"
+
+    def error(self, slot: str, text: str) -> MaterialError:
+        """The error that names the place of a slot."""
+        return MaterialError(f"{self.place(slot)}: {text}")
 
     @property
     def model(self) -> Model:
@@ -100,111 +146,11 @@ class Material:
         """Whether points carry a temperature."""
         return self.uses("uses_temperature") or self.melting is not None or self.heating is not None
 
+    def shear_at_rest(self, temperature: float) -> float:
+        """Shear modulus [Pa] at a temperature [K], without stress."""
+        melting = melting_temperature(self.melting)
+        return shear_stiffness(self.shear_modulus, self.elasticity, 1.0, temperature, 0.0, melting)
+
     def effects(self) -> list[Effect]:
         """Which effects this material brings into a simulation, and why the others are absent."""
         return material_effects(self)
-
-
-def check_slots(material: Material) -> None:
-    """Refuse a law in a slot whose generic function it does not implement."""
-    for field in fields(material):
-        value = getattr(material, field.name)
-        if field.name in EMPTY_SLOTS and value is not None:
-            raise MaterialError(
-                f"{material.name}: the slot {field.name} takes no law yet ({type(value).__name__} given): leave it out"
-            )
-        if field.name in SLOTS and type(value) not in SLOTS[field.name].implementations and value is not None:
-            known = ", ".join(
-                sorted(c.__name__ for c in SLOTS[field.name].implementations if c is not type(None))
-            )
-            raise MaterialError(
-                f"{material.name}: {type(value).__name__} is no law for the slot {field.name}: use one of {known}"
-            )
-    required = ("update", "elasticity") if is_whole(material) else ("update", "elasticity", "eos")
-    for slot in required:
-        if getattr(material, slot) is None:
-            raise MaterialError(f"{material.name}: a material needs a law in the slot {slot}")
-
-
-def is_whole(material: Material) -> bool:
-    """Whether the stress follows from the deformation alone, so that no other law has a say in it."""
-    return isinstance(material.update, CompressibleNeoHookean)
-
-
-def check_combination(material: Material) -> None:
-    """Refuse combinations of laws and parameters that make no sense together."""
-    for wrong, remedy in _complaints(material):
-        if wrong:
-            raise MaterialError(f"{material.name}: {remedy}")
-
-
-def _complaints(m: Material):
-    bulk, shear = elastic_moduli(m.elasticity)
-    melting = melting_temperature(m.melting)
-    yield (not m.density > 0.0, f"density must be positive, not {m.density!r} kg/m^3")
-    yield (
-        not (bulk > 0.0 and shear > 0.0),
-        f"bulk and shear modulus must be positive, not {bulk!r} and {shear!r} Pa",
-    )
-    yield (
-        m.thermal_conductivity is not None and not m.thermal_conductivity > 0.0,
-        f"thermal_conductivity must be positive, not {m.thermal_conductivity!r} W/(m K): leave it out if unknown",
-    )
-    for slot in PLASTIC_SLOTS:
-        yield (
-            is_whole(m) and getattr(m, slot) is not None,
-            f"{type(m.update).__name__} is elastic, and its stress needs no other law: leave {slot} out",
-        )
-    yield (
-        isinstance(m.update, HyperelasticPlastic) and isinstance(m.eos, DefaultHypoelastic),
-        "the hyperelastic update needs a stored energy, which default_hypo has not: take neo_hookean or mie_gruneisen",
-    )
-    yield (
-        (m.flow is None) != (m.yield_condition is None),
-        "a flow law and a yield condition go together: give both (von Mises with any flow law here) or neither",
-    )
-    if isinstance(m.eos, MieGruneisen):
-        stiffness = m.eos.reference_density * m.eos.C_0**2
-        yield (
-            m.eos.reference_density != m.density,
-            f"the equation of state has reference density {m.eos.reference_density!r}, the material {m.density!r}",
-        )
-        yield (
-            abs(stiffness - bulk) > LARGEST_MODULUS_GAP * bulk,
-            f"rho_0 C_0^2 = {stiffness:.4g} Pa and the bulk modulus {bulk:.4g} Pa differ by more than "
-            f"{LARGEST_MODULUS_GAP:.0%}: they describe the same stiffness, correct one of them",
-        )
-    yield (
-        m.heating is not None and (m.specific_heat is None or m.flow is None),
-        "plastic heating needs a flow law and a specific heat: add specific_heat or leave heating out",
-    )
-    yield (
-        m.damage is not None and m.flow is None,
-        "damage grows with plastic strain: add a flow law or leave damage out",
-    )
-    yield (
-        m.erosion is not None and m.damage is None,
-        "erosion acts on failed points: add a damage law or leave erosion out",
-    )
-    yield (
-        m.melting is not None and not melting > m.room_temperature,
-        f"melt_temp {melting!r} K must lie above room_temp {m.room_temperature!r} K",
-    )
-    for law in (m.flow, m.damage):
-        if hasattr(law, "T_m") and hasattr(law, "T_r"):
-            yield (
-                not law.T_m > law.T_r,
-                f"{type(law).__name__}: melting temperature T_m = {law.T_m!r} K must lie above T_r = {law.T_r!r} K",
-            )
-    if isinstance(m.flow, JohnsonCook) and m.melting is not None:
-        yield (
-            m.flow.T_m > melting,
-            f"Johnson-Cook T_m = {m.flow.T_m!r} K lies above melt_temp = {melting!r} K: the point would melt first",
-        )
-    if m.flow is not None:
-        variable = getattr(m.flow, "hardening_variable", 0.0)
-        start = flow_stress(m.flow, variable, 0.0, 0.0, m.room_temperature)[0]
-        yield (
-            not 0.0 <= start < shear,
-            f"the initial flow stress {start:.4g} Pa must lie between 0 and the shear modulus {shear:.4g} Pa",
-        )

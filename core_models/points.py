@@ -6,9 +6,9 @@ import numpy as np
 
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.compilation import CHUNK
-from core_models.errors import RunFailure
+from core_models.errors import RunFailure, UnsupportedError
 from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points
-from core_models.laws import elastic_moduli, pressure
+from core_models.laws import elastic_moduli, pressure, thermal_volume
 from core_models.material import Material
 from core_models.rows import make_workspace
 from core_models.state import State
@@ -16,6 +16,7 @@ from core_models.status import MEANING, OK
 from core_models.threads import Threads
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.updates.tangent_kernel import linearise_points
 
 UNITS = {
     "stress": "Pa",
@@ -112,6 +113,32 @@ class MaterialPoints:
             before.reshape(self.n, 9), after.reshape(self.n, 9), dt, self.reference_volumes, self.lengths, self.old,
             self.new, self.wave_speed, self._new_viscous_pressure, self._sums, self._failures,
         )  # fmt: skip
+        return self._outcome()
+
+    def linearise(self, dt: float, stresses: np.ndarray, tangents: np.ndarray) -> Work:
+        """Advance as `advance` does, and fill first Piola stresses and consistent tangents.
+
+            P = J sigma F^-T,   dP_iJ / dF_kL in row 3 i + J and column 3 k + L
+
+        Parameters
+        ----------
+        dt : [s]. stresses : (n, 3, 3) [Pa]; tangents : (n, 9, 9) [Pa]; both contiguous, written: the derivative of the
+        step from `old_deformation_gradient` to `deformation_gradient` within dt, at a kink of a law that of one side.
+
+        Raises PointFailure as `advance` does, UnsupportedError with bulk viscosity, which belongs to explicit steps.
+        Source: Simo & Taylor, Comput. Methods Appl. Mech. Eng. 48 (1985) 101.
+        """
+        if self.viscosity is not None:
+            raise UnsupportedError("a step with bulk viscosity has no tangent: leave the viscosity out")
+        before, after = self.old_deformation_gradient, self.deformation_gradient
+        self.threads.run_with(
+            linearise_points, len(self._sums), self._workspaces, self.model, before.reshape(self.n, 9),
+            after.reshape(self.n, 9), dt, self.reference_volumes, self.old, self.new, self.wave_speed, self._sums,
+            self._failures, stresses.reshape(self.n, 9), tangents,
+        )  # fmt: skip
+        return self._outcome()
+
+    def _outcome(self) -> Work:
         bad = np.flatnonzero(self._failures[:, 0] != OK)
         if bad.size:
             raise PointFailure(*(int(value) for value in self._failures[bad[0]]))
@@ -159,7 +186,7 @@ class MaterialPoints:
 
 
 def initial_state(material: Material, n: int, temperature: float, conduction: bool = False) -> State:
-    """State of n stress-free points at a temperature [K], with arrays only for what material or conduction need."""
+    """State of n undeformed points at a temperature [K], with arrays only for what material or conduction need."""
 
     def scalar(needed: bool, value: float = 0.0) -> np.ndarray | None:
         return np.full(n, value) if needed else None
@@ -167,8 +194,10 @@ def initial_state(material: Material, n: int, temperature: float, conduction: bo
     hypo = isinstance(material.update, HypoelasticPlastic)
     hyper = isinstance(material.update, HyperelasticPlastic)
     variable = getattr(material.flow, "hardening_variable", None)
+    stress = np.zeros((n, 6))
+    stress[:, :3] = thermal_stress(material, temperature)
     return State(
-        stress=np.zeros((n, 6)),
+        stress=stress,
         rotation=np.zeros((n, 3)) if hypo else None,
         elastic_left_cauchy_green=np.tile([1.0, 1.0, 1.0, 0.0, 0.0, 0.0], (n, 1)) if hyper else None,
         equivalent_plastic_strain=scalar(material.flow is not None),
@@ -179,8 +208,19 @@ def initial_state(material: Material, n: int, temperature: float, conduction: bo
     )
 
 
+def thermal_stress(material: Material, temperature: float) -> float:
+    """Mean stress [Pa] of the undeformed body at a temperature [K]: not zero only with thermal expansion."""
+    if material.expansion is None:
+        return 0.0
+    return pressure(material.eos, 1.0 / thermal_volume(material.expansion, temperature), 0.0)[0]
+
+
 def initial_wave_speed(material: Material) -> float:
     """Longitudinal wave speed of the unstressed material [m/s]."""
-    elastic_bulk, shear = elastic_moduli(material.elasticity)
-    bulk = elastic_bulk if material.eos is None else pressure(material.eos, 1.0, 0.0)[1]
+    shear = material.shear_at_rest(material.room_temperature)
+    bulk = (
+        elastic_moduli(material.elasticity)[0]
+        if material.eos is None
+        else pressure(material.eos, 1.0, 0.0)[1]
+    )
     return float(np.sqrt((bulk + 4.0 / 3.0 * shear) / material.density))

@@ -8,11 +8,12 @@ from core_models.checkpoint import Checkpoint
 from core_models.compilation import CHUNK
 from core_models.geometry import Geometry
 from core_models.threads import Threads
-from mpm.anchors import Anchors
+from mpm.anchors import Anchors, Through, particle_shape, point_shape
 from mpm.configurations import Total, Updated
 from mpm.grid import FORCE, MASS, RECORD, VELOCITY, block_nodes, box_grid, clear, make_grid, with_storage
 from mpm.interpolation import layers
 from mpm.interpolation.catalogue import Interpolation
+from mpm.interpolation.cpdi import ConvectedDomain, step_factor
 from mpm.mirrors import Mirror, fold, reflect
 from mpm.motion import accelerate, carry_affine, settle
 from mpm.order import MOVED, lay_out, locate_particles, make_order, sort_particles
@@ -56,6 +57,17 @@ class Background:
         self.grid = make_grid(self.geometry, self.cell_size, self._base, positions)
         self.order = make_order(len(positions), self.grid)
         self.blocks = 0
+
+    def convect(self, deformation_gradient: np.ndarray) -> None:
+        """Let the interpolation know the deformation gradient (n, 3, 3) of the particles, if it depends on it."""
+        if isinstance(self.shape, ConvectedDomain):
+            self.shape = self.shape._replace(gradient=deformation_gradient)
+
+    def step_factor(self) -> float:
+        """What the particles' domains leave of the stable step."""
+        if isinstance(self.shape, ConvectedDomain):
+            return step_factor(self.shape, self.geometry, self.cell_size, self.threads)
+        return 1.0
 
     def checkpoint(self) -> Checkpoint:
         """The box of the grid, which the order of all sums depends on, and the impulses across symmetry planes."""
@@ -167,8 +179,15 @@ class Background:
         return force
 
     def anchors(self, points: np.ndarray) -> Anchors:
-        """Points (k, d) [m] of the surface, held in the grid that has been filled."""
-        return Anchors(self.geometry, self.shape, self.grid, self._pairs, points)
+        """Points (k, d) [m] of the surface, held by the nodes that they reach in the grid that has been filled."""
+        return Anchors(self.geometry, point_shape(self.shape), self.grid, self._pairs, points)
+
+    def anchors_through(
+        self, points: np.ndarray, particles: np.ndarray, positions: np.ndarray, thickness: np.ndarray
+    ) -> Anchors:
+        """Points (k, d) [m] held through particles (k,) of all these positions (n, d) [m], thickness (k, d) [m]."""
+        through = Through(positions[particles], thickness, particle_shape(self.shape, particles))
+        return Anchors(self.geometry, point_shape(self.shape), self.grid, self._pairs, points, through)
 
     def carried(self, positions: np.ndarray, affine: np.ndarray) -> np.ndarray:
         """Affine velocities C (n, d, d) [1/s] times the second moments D of the particles' weights [m^2/s]."""

@@ -124,7 +124,9 @@ def _(shape, geometry, grid, stencil, tile, source, start, p, t, mass):
 
 @generic
 def take(shape, affine, geometry, grid, stencil, tile, start, p, t):
-    """Velocity of particle p, columns of its gradient [1/s] and of its affine velocity [1/s], if it has that."""
+    """Velocity of particle p, columns of its gradient [1/s] and, if it has that, of its affine velocity [1/s] and what
+    sums to the mean square of that [m^2/s^2].
+    """
 
 
 @take.otherwise
@@ -158,7 +160,8 @@ def _(shape, affine, geometry, grid, stencil, tile, start, p, t):
         c_x = fused(weight, n_u, c_x)
         c_y = fused(weight, n_w, c_y)
         c_z = fused(stencil[MOMENTS + 4 * c + 2], n, c_z)
-    return v, l_x, l_y, l_z, c_x, c_y, c_z
+    squares = affine_squares(affine, shape, geometry, grid, p, t, c_x, c_y, c_z)
+    return v, l_x, l_y, l_z, c_x, c_y, c_z, squares
 
 
 @generic
@@ -207,6 +210,22 @@ def times_moment(shape, geometry, grid, p, t, x, y, z):
 def _(shape, geometry, grid, p, t, x, y, z):
     d = grid.h * grid.h * spread(shape, t, half_size(shape, p, grid.over_h))
     return lane(d, 0) * x, lane(d, 1) * y, lane(d, 2) * z
+
+
+@generic
+def affine_squares(affine, shape, geometry, grid, p, t, x, y, z):
+    """Lanes that sum to the mean square of the affine velocity C with columns x, y, z over its particle, (C D) . C."""
+
+
+@affine_squares.register(np.ndarray)
+def _(affine, shape, geometry, grid, p, t, x, y, z):
+    c_x, c_y, c_z = times_moment(shape, geometry, grid, p, t, x, y, z)
+    return fused(c_x, x, fused(c_y, y, c_z * z))
+
+
+@affine_squares.register(type(None))
+def _(affine, shape, geometry, grid, p, t, x, y, z):
+    return lanes(0.0, 0.0, 0.0, 0.0)
 
 
 @inside_kernel

@@ -15,7 +15,7 @@ from mpm.grid import EDGE, FORCE, RECORD, VELOCITY, node_in
 from mpm.interpolation import half_size, middle, moments, reach, slopes, weights
 from mpm.lanes import add_to, load, store
 
-WIDEST = EDGE + 3  # nodes along the edge of the largest tile
+WIDEST = EDGE + 4  # nodes along the edge of the largest tile
 # First number of each table of a stencil; four numbers per node along an axis.
 WEIGHTS, SLOPES, MOMENTS, OFFSETS, LEVERS = 0, 16, 32, 48, 64
 

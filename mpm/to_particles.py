@@ -17,7 +17,7 @@ import numpy as np
 from core_models.compilation import kernel
 from core_models.dispatch import generic
 from mpm.configurations import deform_particle
-from mpm.exchange import interpolate_second, take, times_moment, total
+from mpm.exchange import interpolate_second, take, total
 from mpm.geometries import put_columns, put_vector, stand, vector
 from mpm.grid import VELOCITY, block_corner
 from mpm.lanes import fused, lanes
@@ -53,7 +53,9 @@ def to_particles(
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
             start = place_in_tile(shape, corner, i, j, k)
-            v, l_x, l_y, l_z, c_x, c_y, c_z = take(shape, affine, geometry, grid, stencil, tile, start, p, t)
+            v, l_x, l_y, l_z, c_x, c_y, c_z, spin_squares = take(
+                shape, affine, geometry, grid, stencil, tile, start, p, t
+            )
             put_affine(affine, geometry, p, c_x, c_y, c_z)
             put_moves(moves, geometry, p, v)
             volume_ratio[p] = deform_particle(
@@ -64,8 +66,7 @@ def to_particles(
             put_vector(geometry, new_velocities, p, v)
             squares = v * v
             fastest = max(fastest, total(squares))
-            squares = add_affine(affine, shape, geometry, grid, p, t, c_x, c_y, c_z, squares)
-            energy = fused(0.5 * density * volumes[p], squares, energy)
+            energy = fused(0.5 * density * volumes[p], squares + spin_squares, energy)
         sums[number, ENERGY] = total(energy)
         sums[number, SPEED] = fastest
 
@@ -98,22 +99,6 @@ def _(affine, geometry, p, x, y, z):
 @put_affine.register(type(None))
 def _(affine, geometry, p, x, y, z):
     return
-
-
-@generic
-def add_affine(affine, shape, geometry, grid, p, t, x, y, z, squares):
-    """Add the mean square of the affine velocity C with columns x, y, z over its particle, (C D) . C [m^2/s^2]."""
-
-
-@add_affine.register(np.ndarray)
-def _(affine, shape, geometry, grid, p, t, x, y, z, squares):
-    c_x, c_y, c_z = times_moment(shape, geometry, grid, p, t, x, y, z)
-    return fused(c_x, x, fused(c_y, y, fused(c_z, z, squares)))
-
-
-@add_affine.register(type(None))
-def _(affine, shape, geometry, grid, p, t, x, y, z, squares):
-    return squares
 
 
 @generic

@@ -23,10 +23,11 @@ WORDS: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "mpm": {
         KIND: ("quad4", "hex8"),
-        "interpolation": ("linear", "gimp", "quadratic", "cubic"),
+        "interpolation": ("linear", "gimp", "cpdi", "quadratic", "cubic"),
         "transfer": ("apic", "flip", "pic", "xpic"),
         "update": ("usl", "musl"),
         "configuration": ("updated", "total"),
+        "cure": ("none", "mean-dilatation"),
         "seeding": ("gauss", "lattice"),
     },
 }

@@ -220,6 +220,21 @@ def test_heat_flows_in_the_deformed_body(strip, method, stretch):
     assert np.abs(temperatures(solver) - exact).max() < 0.02 * (START - SURFACE)
 
 
+@pytest.mark.parametrize("stretch", [1.0, 1.5])
+def test_heat_flows_through_convected_domains(strip, stretch):
+    """The same with CPDI: the domains follow the deformation, and the heat is what has come in."""
+    held = (("left", 0), ("right", 0), ("bottom", 1), ("top", 1))
+    solver = strip(
+        "mpm", 12, displacement=lambda x: (stretch - 1.0) * x * [1.0, 0.0], interpolation="cpdi",
+        loads=(*(Prescribed(*each) for each in held), FixedTemperature("right", SURFACE)),
+    )  # fmt: skip
+    before = content(solver)
+    run(solver, 0.2 * stretch)
+    exact = SURFACE + (START - SURFACE) * slab(solver.reference_positions[:, 0], 0.2)
+    assert np.abs(temperatures(solver) - exact).max() < 0.02 * (START - SURFACE)
+    assert content(solver) - before == pytest.approx(solver.ledger.heat, rel=1e-9)
+
+
 @pytest.mark.parametrize("method", METHODS)
 def test_heat_goes_with_a_moving_body(strip, method):
     """Straight flight across many cells changes temperatures by no more than the error at rest."""

@@ -11,9 +11,11 @@ from core_models.cards.origins import origin, refusal
 from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.neo_hookean import NeoHookean
+from core_models.expansion.isotropic import IsotropicExpansion
 from core_models.heating.taylor_quinney import TaylorQuinney
+from core_models.material import Material
 from core_models.melting.constant import ConstantMelting
-from core_models.schema import HEATED_FRACTION, SLOTS, UPDATE
+from core_models.schema import EXPANSION_COEFFICIENT, HEATED_FRACTION, SLOTS, UPDATE
 from core_models.specific_heat.constant import ConstantSpecificHeat
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
@@ -44,6 +46,7 @@ def assembled_laws(blocks: Blocks, update: tuple, card: Numbers) -> dict[str, An
     if "yield_condition" not in fields and fields["flow"] is not None:
         fields["yield_condition"] = VonMises()
     fields["heating"] = _heating(blocks, fields)
+    fields["expansion"] = _expansion(blocks, fields)
     return fields
 
 
@@ -82,6 +85,19 @@ def _default_eos(blocks: Blocks, update: tuple, card: Numbers) -> tuple | None:
     return law(card["bulk_modulus"])
 
 
+def _expansion(blocks: Blocks, fields: Mapping[str, Any]) -> tuple | None:
+    """The expansion that the card states in a block, or by a plain coefficient from room temperature."""
+    plain = blocks.inner.get(EXPANSION_COEFFICIENT.tag)
+    if plain is not None and "expansion" in fields:
+        raise refusal(plain, f"<{plain.tag}> stands beside a <thermal_expansion>", "delete one of them")
+    coefficient = read_numbers(blocks.model, (EXPANSION_COEFFICIENT,), blocks.inner, {})[
+        EXPANSION_COEFFICIENT.tag
+    ]
+    if coefficient == 0.0:
+        return fields.get("expansion")
+    return IsotropicExpansion(coefficient, fields.get("room_temperature", Material.room_temperature))
+
+
 def _heating(blocks: Blocks, fields: Mapping[str, Any]) -> TaylorQuinney | None:
     """The heating that the card states, else Taylor-Quinney where heat arises and something feels it."""
     coefficient = blocks.inner.get(HEATED_FRACTION.tag)
@@ -98,7 +114,7 @@ def _heating(blocks: Blocks, fields: Mapping[str, Any]) -> TaylorQuinney | None:
             f"<{coefficient.tag}> heats nothing",
             "add <specific_heat> and a flow law, or delete it",
         )
-    laws = (fields["flow"], fields.get("damage"))
+    laws = (fields["flow"], fields.get("damage"), fields.get("shear_modulus"))
     felt = fields.get("melting") is not None or any(getattr(law, "uses_temperature", False) for law in laws)
     if not possible or not (felt or coefficient is not None):
         return None

@@ -24,8 +24,8 @@ class MechanicalThreshold(NamedTuple):
     sigma_i [Pa], g_0i, q_i, p_i [-], edot_0i [1/s] : the intrinsic barrier of bcc metals, which does not evolve; none
     with sigma_i = 0.
 
-    Conventions: the rate is the plastic rate, not below 1e-7 /s; b1 (the 0 K modulus of mu) and mu_0 (the
-    denominator) are kept apart; the elastic shear modulus stays the card's constant. S_x is 0 where the bracket is
+    Conventions: the rate is the plastic rate, not below 1e-7 /s; b1 (the 0 K modulus of mu) and mu_0 (the denominator)
+    are kept apart; the elastic shear modulus is that of the slot shear_modulus. S_x is 0 where the bracket is
     negative and 1 above edot_0x; theta_0 and mu are not below 0.
     Source: Follansbee & Kocks, Acta Metall. 36 (1988) 81; Goto et al., Metall. Mater. Trans. A 31 (2000) 1985.
     """

@@ -31,6 +31,8 @@ class NadalLePoac(NamedTuple):
     m: float
     density: float
 
+    uses_temperature = True
+
 
 SOFTEST = 1e-6
 BOLTZMANN = 1.380649e-23  # J/K

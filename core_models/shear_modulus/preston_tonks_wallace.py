@@ -23,6 +23,8 @@ class PrestonShearModulus(NamedTuple):
     alphap: float
     slope_mu_p_over_mu0: float
 
+    uses_temperature = True
+
 
 SOFTEST = 1e-6
 

@@ -23,6 +23,8 @@ class SteinbergShearModulus(NamedTuple):
     A: float
     B: float
 
+    uses_temperature = True
+
 
 REFERENCE_TEMPERATURE = 300.0  # K
 SOFTEST = 1e-6  # relative to mu_0

@@ -21,6 +21,8 @@ class VarshniShearModulus(NamedTuple):
     D: float
     T_0: float
 
+    uses_temperature = True
+
 
 SOFTEST = 1e-6  # relative to mu_0
 LARGEST_EXPONENT = 100.0  # of T_0 / T: the modulus is that at 0 K

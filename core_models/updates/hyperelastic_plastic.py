@@ -6,7 +6,6 @@ from core_models.compilation import inside_kernel
 from core_models.laws import (
     advance_rows,
     complete,
-    elastic_moduli,
     is_beyond_eos,
     predict,
     predict_carefully,
@@ -30,6 +29,7 @@ from core_models.tensors import (
     symmetric_determinant,
     trace,
 )
+from core_models.updates.conditions import shear_before
 from core_models.updates.elastoplastic import advance_elastoplastic
 from core_models.updates.prediction import NO_PREDICTION, Prediction
 
@@ -98,7 +98,7 @@ def _(update, material, f0, f1, point):
 @inside_kernel
 def elastic_trial(material, f0, f1, j0, j1, isochoric, point):
     """Prediction from the deformation gradients, their determinants and the cube root of J_0 / J_1."""
-    shear = elastic_moduli(material.elasticity)[1]
+    shear = shear_before(material, point, j0)
     b0 = point.elastic_left_cauchy_green
     b_trial = scaled(congruence(product(f1, inverse(f0, j0)), b0), isochoric * isochoric)
     trial, before = scaled(deviator(b_trial), shear), scaled(deviator(b0), shear)
@@ -116,7 +116,7 @@ def elastic_trial(material, f0, f1, j0, j1, isochoric, point):
 
 @complete.register(HyperelasticPlastic)
 def _(update, material, prediction, correction, point):
-    over_shear = 1.0 / elastic_moduli(material.elasticity)[1]
+    over_shear = 1.0 / shear_before(material, point, prediction.volume_ratio_0)
     trial, factor = prediction.trial, correction.factor
     tau = scaled(trial, factor)
     # Trapezoidal rule: the part of the trial work that the return takes back. With the equivalent stress before,

@@ -1,4 +1,4 @@
-"""Hypoelastic-plastic stress update: rotated form with the Green-Naghdi rate."""
+"""Hypoelastic-plastic stress update: rotated form with the Green-Naghdi rate, or another that a material asks for."""
 
 from typing import NamedTuple
 
@@ -6,7 +6,6 @@ from core_models.compilation import inside_kernel
 from core_models.laws import (
     advance_rows,
     complete,
-    elastic_moduli,
     is_beyond_eos,
     predict,
     predict_carefully,
@@ -21,14 +20,13 @@ from core_models.tensors import (
     determinant,
     deviator,
     equivalent_stress,
-    minus,
     plus,
     product_transposed,
     scaled,
-    symmetric_inverse,
     symmetric_part,
-    symmetric_part_of_product,
 )
+from core_models.updates.conditions import shear_before
+from core_models.updates.corotation import corotated
 from core_models.updates.elastoplastic import advance_elastoplastic
 from core_models.updates.prediction import NO_PREDICTION, Prediction
 
@@ -46,6 +44,7 @@ class HypoelasticPlastic(NamedTuple):
     ----------
     tolerance : relative tolerance of the consistency condition [-], in (0, 1e-3].
 
+    With another objective rate (core_models.objective_rate) the stress turns further or less than by Q.
     R is updated incrementally (core_models.rotation), and V = F R^T. Objective to round-off for any rotation in a step.
     Source: Flanagan & Taylor (1987); Zocher et al., ECCOMAS (2000); the founding document, section 2.1.
     """
@@ -62,7 +61,7 @@ def _(update, material, f0, f1, point):
     r0, v0, a = unrotated(f0, f1, point.rotation)
     q, u, is_right = small_rotation_increment(a)
     status = OK if is_right and j1 > 0.0 and not is_beyond_eos(material.eos, j1) else UNSETTLED
-    return status, elastic_trial(material, j0, j1, v0, u, q, point.stress), rotation_vector(turned(q, r0))
+    return status, elastic_trial(material, j0, j1, v0, u, q, point), rotation_vector(turned(q, r0))
 
 
 @predict_carefully.register(HypoelasticPlastic)
@@ -74,7 +73,7 @@ def _(update, material, f0, f1, point):
         return BEYOND_EOS, NO_PREDICTION, point.rotation
     r0, v0, a = unrotated(f0, f1, point.rotation)
     q, u = rotation_increment(a)
-    return OK, elastic_trial(material, j0, j1, v0, u, q, point.stress), rotation_vector(turned(q, r0))
+    return OK, elastic_trial(material, j0, j1, v0, u, q, point), rotation_vector(turned(q, r0))
 
 
 @inside_kernel
@@ -86,11 +85,11 @@ def unrotated(f0, f1, rotation):
 
 
 @inside_kernel
-def elastic_trial(material, j0, j1, v0, u, q, stress):
-    """Prediction from the volume ratios, the stretches before and after, the rotation and the stress before."""
-    shear = elastic_moduli(material.elasticity)[1]
-    d = scaled(symmetric_part_of_product(minus(u, v0), symmetric_inverse(plus(u, v0))), 2.0)
-    s0 = deviator(stress)
+def elastic_trial(material, j0, j1, v0, u, q, point):
+    """Prediction from the volume ratios, the stretches before and after, the rotation and the state before."""
+    shear = shear_before(material, point, j0)
+    d, q = corotated(material.objective_rate, v0, u, q)
+    s0 = deviator(point.stress)
     trial = plus(s0, scaled(deviator(d), 2.0 * shear))
     return Prediction(
         congruence(rotation_matrix(q), trial),

@@ -6,12 +6,12 @@ from core_models.compilation import inside_kernel
 from core_models.laws import (
     eroded_stress,
     guess_increment,
-    melting_temperature,
     return_to_surface,
     search_surface,
 )
 from core_models.rows import CORRECTION, PREDICTION, get, get_symmetric, put, put_symmetric
 from core_models.status import OK
+from core_models.updates.conditions import flow_before, melting_before
 
 NO_STRESS = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 SHEAR = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
@@ -98,17 +98,18 @@ def get_correction(rows, k):
 
 
 @inside_kernel
-def has_no_strength(material, point):
+def has_no_strength(material, point, volume_ratio):
     """Whether a point has melted or failed: it then carries no deviatoric stress."""
     has_failed = eroded_stress(material.erosion, point.damage, SHEAR, 0.0)[0][3] == 0.0
-    return has_failed or point.temperature >= melting_temperature(material.melting)
+    return has_failed or point.temperature >= melting_before(material, point, volume_ratio)
 
 
 @inside_kernel
 def guess(material, prediction, over_dt, point):
     """Plastic increment for `correct` to begin with."""
+    flow = flow_before(material, point, prediction.volume_ratio_0)
     return guess_increment(
-        material.yield_condition, material.flow, prediction.stress, prediction.shear_3, prediction.stress_before,
+        material.yield_condition, flow, prediction.stress, prediction.shear_3, prediction.stress_before,
         point.equivalent_plastic_strain, point.hardening_variable, over_dt, point.temperature,
     )  # fmt: skip
 
@@ -116,12 +117,13 @@ def guess(material, prediction, over_dt, point):
 @inside_kernel
 def correct(material, prediction, guessed, over_dt, point):
     """Return a prediction to the yield surface, or to zero: status and correction; UNSETTLED leaves it to `search`."""
+    flow = flow_before(material, point, prediction.volume_ratio_0)
     factor, increment, flow_stress, hardening, status = return_to_surface(
-        material.yield_condition, material.flow, guessed, prediction.stress, prediction.shear_3,
+        material.yield_condition, flow, guessed, prediction.stress, prediction.shear_3,
         point.equivalent_plastic_strain, point.hardening_variable, over_dt, point.temperature,
         material.update.tolerance,
     )  # fmt: skip
-    if has_no_strength(material, point):
+    if has_no_strength(material, point, prediction.volume_ratio_0):
         factor, increment, flow_stress, hardening, status = 0.0, 0.0, 0.0, point.hardening_variable, OK
     return status, Correction(factor, increment, flow_stress, hardening)
 
@@ -129,8 +131,9 @@ def correct(material, prediction, guessed, over_dt, point):
 @inside_kernel
 def search(material, prediction, over_dt, point):
     """Status and correction of a prediction that `correct` has left."""
+    flow = flow_before(material, point, prediction.volume_ratio_0)
     factor, increment, flow_stress, hardening, status = search_surface(
-        material.yield_condition, material.flow, prediction.stress, prediction.shear_3,
+        material.yield_condition, flow, prediction.stress, prediction.shear_3,
         point.equivalent_plastic_strain, point.hardening_variable, over_dt, point.temperature,
         material.update.tolerance,
     )  # fmt: skip

@@ -5,6 +5,8 @@ import numpy as np
 from core_models.errors import SceneError
 from core_models.names import suggestion
 from meshes.mesh import Mesh
+from mpm import corners as corners  # registers what convected domains exchange with the grid
+from mpm.interpolation.cpdi import ConvectedDomain, check_seeding, half_edges
 from mpm.interpolation.cubic import CubicSpline
 from mpm.interpolation.gimp import UniformGimp
 from mpm.interpolation.linear import LinearHat
@@ -16,9 +18,10 @@ INTERPOLATIONS = {
     "gimp": UniformGimp,
     "quadratic": QuadraticSpline,
     "cubic": CubicSpline,
+    "cpdi": ConvectedDomain,
 }
 
-Interpolation = LinearHat | UniformGimp | QuadraticSpline | CubicSpline
+Interpolation = LinearHat | UniformGimp | QuadraticSpline | CubicSpline | ConvectedDomain
 
 
 def check_interpolation(name: str) -> None:
@@ -28,15 +31,24 @@ def check_interpolation(name: str) -> None:
 
 
 def make_interpolation(
-    name: str, cell_size: float, mesh: Mesh, seeding: str, areas: np.ndarray
+    name: str, cell_size: float, mesh: Mesh, seeding: str, areas: np.ndarray, deformation_gradient: np.ndarray
 ) -> Interpolation:
     """The interpolation of a name for the particles of a mesh, whose domains have these areas or volumes (n,) [m^d].
 
-    Raises SceneError where GIMP's particles are wider than a cell, for then they would reach beyond three nodes.
+    deformation_gradient : (n, 3, 3) at the start.
+    Raises SceneError where domains are so wide that they would reach more nodes than there is room for.
     """
-    if name != "gimp":
-        return INTERPOLATIONS[name]()
-    box = np.ptp(domain_corners(mesh, seeding), axis=1)
+    if name == "gimp":
+        return _gimp(cell_size, domain_corners(mesh, seeding), areas)
+    if name == "cpdi":
+        shape = ConvectedDomain(half_edges(domain_corners(mesh, seeding), areas), deformation_gradient)
+        check_seeding(shape, cell_size)
+        return shape
+    return INTERPOLATIONS[name]()
+
+
+def _gimp(cell_size: float, domains: np.ndarray, areas: np.ndarray) -> UniformGimp:
+    box = np.ptp(domains, axis=1)
     shrink = (areas / box.prod(axis=1)) ** (1.0 / box.shape[1])
     halves = 0.5 * box * shrink[:, None]
     widest = 2.0 * float(halves.max())

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from core_models import points
 from core_models.cards import read_material
 from core_models.damage.johnson_cook import JohnsonCookDamage
 from core_models.elasticity.isotropic import IsotropicElastic
@@ -17,6 +18,7 @@ from core_models.flow.perfect import PerfectPlasticity
 from core_models.flow.power_law import PowerLaw
 from core_models.flow.voce import Voce
 from core_models.heating.taylor_quinney import TaylorQuinney
+from core_models.kernels import advance_points
 from core_models.material import Material
 from core_models.melting.constant import ConstantMelting
 from core_models.specific_heat.constant import ConstantSpecificHeat
@@ -70,6 +72,12 @@ def refused(read_card, tmp_path):
         return str(caught.value)
 
     return message
+
+
+@pytest.fixture
+def interpreted(monkeypatch):
+    """Let points advance in plain Python: any material, without compilation."""
+    monkeypatch.setattr(points, "advance_points", getattr(advance_points, "py_func", advance_points))
 
 
 @pytest.fixture(scope="session")

@@ -220,8 +220,10 @@ def test_threads_do_not_change_a_bit(build, bar, j2):
 
 
 def test_what_is_not_there_is_refused(body):
-    """In one line: an unknown configuration, and conduction."""
+    """In one line: an unknown configuration, conduction, and domains that would follow the deformation."""
     with pytest.raises(SceneError, match="total"):
         body(configuration="totall")
     with pytest.raises(UnsupportedError, match="updated"):
         body(configuration="total", conduction=True)
+    with pytest.raises(UnsupportedError, match="'cpdi'.*quadratic"):
+        body(configuration="total", interpolation="cpdi")
