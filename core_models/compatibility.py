@@ -15,7 +15,7 @@ ABSENT = (type(None),)
 SPLIT_UPDATES = (HypoelasticPlastic, HyperelasticPlastic)
 SLOTS_OF_A_SPLIT = (
     "eos", "flow", "yield_condition", "shear_modulus", "kinematic_hardening", "damage", "melting", "heating",
-    "stability", "erosion",
+    "stability", "erosion", "objective_rate",
 )  # fmt: skip
 
 
@@ -62,6 +62,14 @@ CLASHES = (
         (DefaultHypoelastic,),
         "the hyperelastic update needs a stored energy, which default_hypo has not",
         "take neo_hookean or mie_gruneisen",
+    ),
+    Clash(
+        "update",
+        (HyperelasticPlastic,),
+        "objective_rate",
+        PRESENT,
+        "the hyperelastic update integrates no rate",
+        "leave objective_rate out, or take the hypoelastic update",
     ),
     Clash(
         "flow",

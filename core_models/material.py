@@ -24,11 +24,13 @@ from core_models.laws import (
 from core_models.material_checks import cautions, complaints
 from core_models.model import Model
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
+from core_models.updates.corotation import corotated
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 
 SLOTS = {
     "update": advance_rows,
+    "objective_rate": corotated,
     "elasticity": elastic_moduli,
     "eos": pressure,
     "flow": flow_stress,
@@ -44,6 +46,12 @@ EMPTY_SLOTS = ("kinematic_hardening", "stability")
 REQUIRED_SLOTS = ("update", "elasticity")
 
 log = logging.getLogger(__name__)
+
+
+def laws_of(implemented: Any) -> set[type]:
+    """The classes of laws that implement a generic function, apart from those that only the points make."""
+    classes = set(implemented.implementations) - {type(None)}
+    return {law for law in classes if not getattr(law, "is_internal", False)}
 
 
 @dataclass(frozen=True)
@@ -80,6 +88,7 @@ class Material:
     heating: Any = None
     stability: Any = None
     erosion: Any = None
+    objective_rate: Any = None
     room_temperature: float = 294.0
     thermal_conductivity: float | None = None
     origins: Mapping[str, str] = field(default_factory=dict, compare=False, repr=False)
@@ -95,9 +104,9 @@ class Material:
                 given = type(getattr(self, slot)).__name__
                 raise self.error(slot, f"the slot {slot} takes no law yet ({given} given): leave it out")
         for slot, implemented in SLOTS.items():
-            law, classes = getattr(self, slot), implemented.implementations
+            law, classes = getattr(self, slot), laws_of(implemented)
             if law is not None and type(law) not in classes:
-                known = ", ".join(sorted(known.__name__ for known in classes if known is not type(None)))
+                known = ", ".join(sorted(known.__name__ for known in classes))
                 raise self.error(
                     slot, f"{type(law).__name__} is no law for the slot {slot}: use one of {known}"
                 )

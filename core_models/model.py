@@ -8,6 +8,7 @@ class Model(NamedTuple):
 
     density: float
     update: tuple
+    objective_rate: tuple | None
     elasticity: tuple
     eos: tuple
     flow: tuple | None

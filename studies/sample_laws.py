@@ -8,8 +8,10 @@ from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
+from core_models.erosion.delete import DeletePoint
 from core_models.erosion.no_shear import AllowNoShear
 from core_models.erosion.no_tension import AllowNoTension
+from core_models.erosion.preserve_stress import PreserveStress
 from core_models.erosion.zero_stress import ZeroStress
 from core_models.flow.anand import Anand
 from core_models.flow.johnson_cook import JohnsonCook
@@ -25,6 +27,8 @@ from core_models.heating.taylor_quinney import TaylorQuinney
 from core_models.melting.burakovsky_preston_silbar import BurakovskyMelting
 from core_models.melting.constant import ConstantMelting
 from core_models.melting.steinberg_cochran_guinan import SteinbergMelting
+from core_models.objective_rate.jaumann import Jaumann
+from core_models.objective_rate.logarithmic import Logarithmic
 from core_models.shear_modulus.constant import ConstantShearModulus
 from core_models.shear_modulus.nadal_le_poac import NadalLePoac
 from core_models.shear_modulus.preston_tonks_wallace import PrestonShearModulus
@@ -48,6 +52,7 @@ def _shipped(name: str) -> tuple:
 SAMPLES = {
     "update": [HypoelasticPlastic(), HyperelasticPlastic(), CompressibleNeoHookean()],
     "elasticity": [IsotropicElastic(BULK, SHEAR)],
+    "objective_rate": [Logarithmic(), Jaumann()],
     "eos": [DefaultHypoelastic(BULK), NeoHookean(BULK), MieGruneisen(DENSITY, 3940.0, 2.02, 1.489)],
     "flow": [
         PerfectPlasticity(90e6),
@@ -88,5 +93,5 @@ SAMPLES = {
     ],
     "specific_heat": [ConstantSpecificHeat(383.0), CopperSpecificHeat(), SteelSpecificHeat()],
     "heating": [TaylorQuinney(0.9)],
-    "erosion": [ZeroStress(), AllowNoTension(), AllowNoShear()],
+    "erosion": [ZeroStress(), AllowNoTension(), AllowNoShear(), PreserveStress(), DeletePoint()],
 }  # fmt: skip

@@ -4,6 +4,8 @@ from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
 from core_models.heating.taylor_quinney import TaylorQuinney
+from core_models.objective_rate.jaumann import Jaumann
+from core_models.objective_rate.logarithmic import Logarithmic
 from core_models.schema.damage import DAMAGE, EROSION
 from core_models.schema.entries import NOT_NEGATIVE, POSITIVE, ZERO, Inert, ModelSchema, Parameter, SlotSchema
 from core_models.schema.flow import FLOW
@@ -54,6 +56,18 @@ UPDATE = SlotSchema(
         "ideal_gas",
         "rigid",
     ),  # fmt: skip
+)
+
+OBJECTIVE_RATE = SlotSchema(
+    slot="objective_rate",
+    tags=("objective_rate",),
+    places=("constitutive_model",),
+    absent="green_naghdi",
+    models=(
+        ModelSchema(("logarithmic",), Logarithmic, "integrates to the Hencky strain; hypoelastic update"),
+        ModelSchema(("jaumann",), Jaumann, "oscillates in shear: a negative control; hypoelastic update"),
+    ),
+    plain=("green_naghdi",),
 )
 
 PRESSURE_MODULUS = Parameter(
@@ -126,6 +140,7 @@ STABILITY = SlotSchema(
 
 SLOTS = (
     UPDATE,
+    OBJECTIVE_RATE,
     EOS,
     FLOW,
     YIELD_CONDITION,

@@ -19,6 +19,8 @@ from core_models.flow.anand import Anand
 from core_models.flow.voce import Voce
 from core_models.kernels import advance_points
 from core_models.material import Material
+from core_models.objective_rate.jaumann import Jaumann
+from core_models.objective_rate.logarithmic import Logarithmic
 from core_models.points import MaterialPoints, PointFailure
 from core_models.threads import Threads
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
@@ -111,6 +113,16 @@ def test_the_tangent_is_the_derivative_of_a_plastic_step(plain, copper, update, 
     assert points.new.equivalent_plastic_strain[0] > points.old.equivalent_plastic_strain[0]
 
 
+@pytest.mark.parametrize("rate", [Logarithmic(), Jaumann()])
+@pytest.mark.parametrize("flow", [None, "linear"])
+@pytest.mark.parametrize(("size", "before"), [(1e-2, 0.05), (0.5, 0.0), (0.5, 0.3)])
+def test_every_objective_rate_has_its_tangent(plain, copper, rate, flow, size, before):
+    """Elastic and plastic, with the rotation of the rate's own frame."""
+    points = prepared(copper("hypo", flow, objective_rate=rate), size, before)
+    points.deformation_gradient[0] = TURN @ points.deformation_gradient[0]
+    assert_exact(points)
+
+
 @pytest.mark.parametrize("name", sorted(shipped_materials()))
 @pytest.mark.parametrize("update", [HypoelasticPlastic(), HyperelasticPlastic()])
 def test_every_shipped_card_has_its_tangent(plain, name, update):
@@ -162,7 +174,9 @@ def test_a_melted_point_has_the_stiffness_of_a_fluid(plain, hot_copper, update):
 
 
 @pytest.mark.parametrize("update", ["hypo", "hyper"])
-@pytest.mark.parametrize("erosion", [ZeroStress(), AllowNoShear(), AllowNoTension()])
+@pytest.mark.parametrize(
+    "erosion", [ZeroStress(), AllowNoShear(), AllowNoTension(), ZeroStress(1e-4), AllowNoTension(1e-4)]
+)
 @pytest.mark.parametrize("stretch", [-0.05, 0.05])
 def test_a_failed_point_has_the_stiffness_that_erosion_leaves(plain, hot_copper, update, erosion, stretch):
     """Points whose damage has reached 1, in compression and in tension."""
