@@ -138,6 +138,21 @@ def pressure(eos, volume_ratio, energy):
 
 
 @generic
+def isentropic_ratio(eos, before, after):
+    """Ratio of the temperatures after and before as J goes from `before` to `after` at constant entropy."""
+
+
+@generic
+def thermal_volume(expansion, temperature):
+    """Volume ratio J_th that an unstressed body has at a temperature [K]."""
+
+
+@thermal_volume.register(type(None))
+def _(expansion, temperature):
+    return 1.0
+
+
+@generic
 def is_beyond_eos(eos, volume_ratio):
     """Whether J lies where the equation of state has no meaning (beyond its pole)."""
 
@@ -205,6 +220,16 @@ def heated_fraction(heating):
 @heated_fraction.register(type(None))
 def _(heating):
     return 0.0
+
+
+@generic
+def volume_warming(heating, eos, before, after):
+    """Factor on the temperature as J goes from `before` to `after`, plastic work apart."""
+
+
+@volume_warming.otherwise
+def _(heating, eos, before, after):
+    return 1.0
 
 
 @generic

@@ -20,6 +20,7 @@ from core_models.laws import (
     return_to_surface,
     shear_modulus,
     shear_stiffness,
+    thermal_volume,
 )
 from core_models.material_checks import cautions, complaints
 from core_models.model import Model
@@ -30,7 +31,6 @@ from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 
 SLOTS = {
     "update": advance_rows,
-    "objective_rate": corotated,
     "elasticity": elastic_moduli,
     "eos": pressure,
     "flow": flow_stress,
@@ -40,7 +40,9 @@ SLOTS = {
     "melting": melting_temperature,
     "specific_heat": heat_capacity,
     "heating": heated_fraction,
+    "expansion": thermal_volume,
     "erosion": eroded_stress,
+    "objective_rate": corotated,
 }
 EMPTY_SLOTS = ("kinematic_hardening", "stability")
 REQUIRED_SLOTS = ("update", "elasticity")
@@ -86,6 +88,7 @@ class Material:
     melting: Any = None
     specific_heat: Any = None
     heating: Any = None
+    expansion: Any = None
     stability: Any = None
     erosion: Any = None
     objective_rate: Any = None

@@ -18,4 +18,5 @@ class Model(NamedTuple):
     melting: tuple | None
     specific_heat: tuple | None
     heating: tuple | None
+    expansion: tuple | None
     erosion: tuple | None

@@ -8,7 +8,7 @@ from core_models.bulk_viscosity import BulkViscosity
 from core_models.compilation import CHUNK
 from core_models.errors import RunFailure, UnsupportedError
 from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points
-from core_models.laws import elastic_moduli, pressure
+from core_models.laws import elastic_moduli, pressure, thermal_volume
 from core_models.material import Material
 from core_models.rows import make_workspace
 from core_models.state import State
@@ -186,7 +186,7 @@ class MaterialPoints:
 
 
 def initial_state(material: Material, n: int, temperature: float, conduction: bool = False) -> State:
-    """State of n stress-free points at a temperature [K], with arrays only for what material or conduction need."""
+    """State of n undeformed points at a temperature [K], with arrays only for what material or conduction need."""
 
     def scalar(needed: bool, value: float = 0.0) -> np.ndarray | None:
         return np.full(n, value) if needed else None
@@ -194,8 +194,10 @@ def initial_state(material: Material, n: int, temperature: float, conduction: bo
     hypo = isinstance(material.update, HypoelasticPlastic)
     hyper = isinstance(material.update, HyperelasticPlastic)
     variable = getattr(material.flow, "hardening_variable", None)
+    stress = np.zeros((n, 6))
+    stress[:, :3] = thermal_stress(material, temperature)
     return State(
-        stress=np.zeros((n, 6)),
+        stress=stress,
         rotation=np.zeros((n, 3)) if hypo else None,
         elastic_left_cauchy_green=np.tile([1.0, 1.0, 1.0, 0.0, 0.0, 0.0], (n, 1)) if hyper else None,
         equivalent_plastic_strain=scalar(material.flow is not None),
@@ -204,6 +206,13 @@ def initial_state(material: Material, n: int, temperature: float, conduction: bo
         damage=scalar(material.damage is not None),
         internal_energy=scalar(material.uses("uses_energy")),
     )
+
+
+def thermal_stress(material: Material, temperature: float) -> float:
+    """Mean stress [Pa] of the undeformed body at a temperature [K]: not zero only with thermal expansion."""
+    if material.expansion is None:
+        return 0.0
+    return pressure(material.eos, 1.0 / thermal_volume(material.expansion, temperature), 0.0)[0]
 
 
 def initial_wave_speed(material: Material) -> float:

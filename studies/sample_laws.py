@@ -13,6 +13,7 @@ from core_models.erosion.no_shear import AllowNoShear
 from core_models.erosion.no_tension import AllowNoTension
 from core_models.erosion.preserve_stress import PreserveStress
 from core_models.erosion.zero_stress import ZeroStress
+from core_models.expansion.isotropic import IsotropicExpansion
 from core_models.flow.anand import Anand
 from core_models.flow.johnson_cook import JohnsonCook
 from core_models.flow.linear import LinearHardening
@@ -23,6 +24,7 @@ from core_models.flow.tabulated import TabulatedHardening
 from core_models.flow.thermal_voce import ThermalVoce
 from core_models.flow.voce import Voce
 from core_models.flow.zerilli_armstrong import ZerilliArmstrong
+from core_models.heating.isentropic import IsentropicHeating
 from core_models.heating.taylor_quinney import TaylorQuinney
 from core_models.melting.burakovsky_preston_silbar import BurakovskyMelting
 from core_models.melting.constant import ConstantMelting
@@ -92,6 +94,7 @@ SAMPLES = {
         ),
     ],
     "specific_heat": [ConstantSpecificHeat(383.0), CopperSpecificHeat(), SteelSpecificHeat()],
-    "heating": [TaylorQuinney(0.9)],
+    "heating": [TaylorQuinney(0.9), IsentropicHeating(0.9)],
+    "expansion": [IsotropicExpansion(1.7e-5, 294.0)],
     "erosion": [ZeroStress(), AllowNoTension(), AllowNoShear(), PreserveStress(), DeletePoint()],
 }  # fmt: skip

@@ -3,6 +3,8 @@
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
+from core_models.expansion.isotropic import IsotropicExpansion
+from core_models.heating.isentropic import IsentropicHeating
 from core_models.heating.taylor_quinney import TaylorQuinney
 from core_models.objective_rate.jaumann import Jaumann
 from core_models.objective_rate.logarithmic import Logarithmic
@@ -116,7 +118,34 @@ HEATING = SlotSchema(
     tags=("heating_model",),
     places=("constitutive_model",),
     absent="taylor_quinney given a specific heat, a flow law and a law that feels the temperature",
-    models=(ModelSchema(("taylor_quinney",), TaylorQuinney, "heat from plastic work", (HEATED_FRACTION,)),),
+    models=(
+        ModelSchema(("taylor_quinney",), TaylorQuinney, "heat from plastic work", (HEATED_FRACTION,)),
+        ModelSchema(
+            types=("isentropic",),
+            law=IsentropicHeating,
+            help="heat from plastic work and from the change of volume; with mie_gruneisen",
+            parameters=(HEATED_FRACTION,),
+        ),
+    ),
+    plain=("none",),
+)
+
+EXPANSION = SlotSchema(
+    slot="expansion",
+    tags=("thermal_expansion",),
+    places=("constitutive_model",),
+    absent="none",
+    models=(
+        ModelSchema(
+            types=("isotropic",),
+            law=IsotropicExpansion,
+            help="as by a plain <coeff_thermal_expansion>; not with mie_gruneisen, whose energy has it",
+            parameters=(
+                Parameter("coefficient", "1/K", NOT_NEGATIVE, "coefficient of the length"),
+                Parameter("T_0", "K", POSITIVE, "temperature without stress", fallback="room_temp"),
+            ),
+        ),
+    ),
     plain=("none",),
 )
 
@@ -145,6 +174,7 @@ SLOTS = (
     FLOW,
     YIELD_CONDITION,
     HEATING,
+    EXPANSION,
     DAMAGE,
     EROSION,
     SHEAR_MODULUS,

@@ -15,6 +15,8 @@ from core_models.laws import (
     heated_fraction,
     pressure,
     stress_measure,
+    thermal_volume,
+    volume_warming,
 )
 from core_models.rows import BALANCE, get, put
 from core_models.state import PointState
@@ -60,7 +62,7 @@ def advance_pressure(material, viscosity, prediction, dt, length, shear, deviato
     p0 = mean(point.stress)
     j0, j1 = prediction.volume_ratio_0, prediction.volume_ratio_1
     change = j1 - j0
-    cold, slope, by_energy = pressure(material.eos, j1, point.internal_energy)
+    cold, slope, by_energy = cold_pressure(material, j1, point.temperature, point.internal_energy)
     modulus = max(j1 * (slope + by_energy * cold), 0.0)
     speed = math.sqrt((modulus + FOUR_THIRDS * shear) * j1 * (1.0 / material.density))
     q = viscous_pressure(viscosity, material.density / j1, length, speed, 2.0 * change / (dt * (j0 + j1)))
@@ -73,6 +75,14 @@ def advance_pressure(material, viscosity, prediction, dt, length, shear, deviato
     work = 0.5 * (p0 + p1) * change
     energy = point.internal_energy + deviatoric_work + work + viscous_work
     return Pressure(p1, energy, speed, q, work, viscous_work)
+
+
+@inside_kernel
+def cold_pressure(material, volume_ratio, temperature, energy):
+    """What `pressure` (core_models.laws) returns, for the volume that is left without thermal expansion."""
+    over_expansion = 1.0 / thermal_volume(material.expansion, temperature)
+    stress, slope, by_energy = pressure(material.eos, volume_ratio * over_expansion, energy)
+    return stress, slope * over_expansion, by_energy
 
 
 @inside_kernel
@@ -92,7 +102,7 @@ def complete_point(material, viscosity, prediction, correction, dt, length, poin
         elastic,
         point.equivalent_plastic_strain + increment,
         correction.hardening_variable,
-        heated(material, point.temperature, dissipation),
+        heated(material, point.temperature, dissipation, prediction.volume_ratio_0, j1),
         damaged(material, point, increment, dt, p.mean_stress, flow_stress * to_cauchy),
         p.energy,
     )
@@ -116,11 +126,15 @@ def left_behind(before):
 
 
 @inside_kernel
-def heated(material, temperature, dissipation):
-    """Temperature after the step: rho_0 c (T_1 - T_0) = fraction dissipation, per reference volume."""
+def heated(material, temperature, dissipation, before, after):
+    """Temperature after the step: rho_0 c (T_1 - T_0) = fraction dissipation, per reference volume, and what the
+    change of J from `before` to `after` adds.
+    """
     heat = heated_fraction(material.heating) * dissipation
     capacity = material.density * heat_capacity(material.specific_heat, temperature)
-    return temperature + heat * (1.0 / capacity)
+    return temperature * volume_warming(material.heating, material.eos, before, after) + heat * (
+        1.0 / capacity
+    )
 
 
 @inside_kernel

@@ -30,6 +30,7 @@ PROBLEMS = {
     "cantilever": ("cantilever", "PROBLEM"),
     "two-disks": ("two_disks", "PROBLEM"),
     "plate-impact": ("plate_impact", "PROBLEM"),
+    "friction-block": ("friction_block", "PROBLEM"),
     "cook-membrane": ("cook_membrane", "PROBLEM"),
     "taylor-elements": ("taylor_elements", "PROBLEM"),
     "taylor-quarter": ("taylor_quarter", "PROBLEM"),
@@ -73,10 +74,10 @@ def verify(
 
 
 def timed(problem: Problem, quick: bool) -> Outcome:
-    """The outcome of a problem, with the seconds that it took."""
-    began = time.perf_counter()
+    """The outcome of a problem, with the seconds of processor time that it took, compiling included."""
+    began = time.process_time()
     outcome = problem.run(quick)
-    outcome.seconds = time.perf_counter() - began
+    outcome.seconds = time.process_time() - began
     return outcome
 
 

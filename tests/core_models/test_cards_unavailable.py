@@ -42,7 +42,6 @@ def test_known_but_unavailable_model_says_so(refused, block, types):
         '<kinematic_hardening_model type="prager_hardening"/>',
         '<kinematic_hardening_model type="armstrong_frederick_hardening"/>',
         '<erosion algorithm="RemoveMass"/>',
-        "<coeff_thermal_expansion>1e-5</coeff_thermal_expansion>",
         "<evolve_porosity>true</evolve_porosity>",
     ],
 )

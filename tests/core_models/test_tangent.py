@@ -15,6 +15,7 @@ from core_models.erosion.no_shear import AllowNoShear
 from core_models.erosion.no_tension import AllowNoTension
 from core_models.erosion.zero_stress import ZeroStress
 from core_models.errors import UnsupportedError
+from core_models.expansion.isotropic import IsotropicExpansion
 from core_models.flow.anand import Anand
 from core_models.flow.voce import Voce
 from core_models.kernels import advance_points
@@ -162,6 +163,14 @@ def test_the_tangent_holds_where_the_step_turns_far(plain, pool, name, turn):
 def test_the_pressure_follows_the_energy_of_the_step(plain, hot_copper, update, size):
     """Mie-Grüneisen: the work of the step enters the pressure that does it, in compression and in tension."""
     assert_exact(prepared(hot_copper(update, "jc"), size, 0.1, internal_energy=5e9))
+
+
+@pytest.mark.parametrize("update", ["hypo", "hyper"])
+def test_a_warm_body_has_its_tangent(plain, copper, update):
+    """Thermal expansion takes part in the slope of the pressure."""
+    assert_exact(
+        prepared(copper(update, expansion=IsotropicExpansion(1e-4, 294.0)), 0.2, 0.1, temperature=900.0)
+    )
 
 
 @pytest.mark.parametrize("update", ["hypo", "hyper"])

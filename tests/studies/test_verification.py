@@ -2,11 +2,14 @@
 
 import json
 import math
+import os
+import time
 
 import numpy as np
 import pytest
 
 from core_models.errors import SceneError, UnsupportedError
+from core_models.threads import Threads
 from studies.command_line import main
 from studies.verification import study
 from studies.verification.convergence import ErrorRow
@@ -14,9 +17,11 @@ from studies.verification.convergence_report import convergence_outcome
 from studies.verification.orders import error_at, fitted_order, sizes_before_floor
 from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
 from studies.verification.problem import Problem
+from studies.verification.problems.friction_block import CASES, END, FRICTION, RAMP, G, exact_way
 from studies.verification.report import report_page
 from studies.verification.study import PROBLEMS, find_problem, verify
 from studies.verification.text import criterion_text, shown
+from studies.verification.thread_clock import ThreadClock
 from studies.verification.variant import FEM, MPM, Refused, Variant, attempt
 
 SIZES = (0.1, 0.05, 0.025, 0.0125)
@@ -187,3 +192,33 @@ def test_command_refuses_unknown_studies_and_problems(arguments, told, capsys, t
     assert main(["study", *arguments]) == 2
     captured = capsys.readouterr()
     assert captured.err.count("\n") == 1 and told in captured.err and list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.skipif((os.cpu_count() or 1) < 2, reason="one processor")
+def test_clock_of_a_team_counts_the_thread_that_computes_longest():
+    """However few processors are free: its time and not the sum, and the time outside shared work."""
+
+    def burn(seconds):
+        began = time.thread_time()
+        while time.thread_time() - began < seconds:
+            pass
+
+    threads = Threads(2)
+    clock = ThreadClock(threads)
+    began = clock.read()
+    burn(0.01)
+    threads.run(lambda first, last: burn(0.01 if first == 0 else 0.03), 4)
+    assert 0.04 <= clock.read() - began < 0.05
+
+
+def test_way_of_a_rigid_block_is_the_integral_of_coulombs_law():
+    """Sliding, sticking and coming to rest, against small steps in time."""
+    steps = 20_000
+    for tangent, speed in CASES.values():
+        slope, v, x = np.arctan(tangent), speed, 0.0
+        for i in range(steps):
+            weight = G * min((i + 0.5) / steps * END / RAMP, 1.0)
+            v += (np.sin(slope) - FRICTION * np.cos(slope)) * weight * END / steps
+            v = max(v, 0.0)
+            x += v * END / steps
+        assert exact_way(tangent, speed) == pytest.approx(x, rel=1e-3)
