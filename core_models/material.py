@@ -108,7 +108,7 @@ class Material:
         for slot in SLOTS:
             law, classes = getattr(self, slot), laws_for(slot)
             if law is not None and type(law) not in classes:
-                known = ", ".join(sorted(known.__name__ for known in classes if known is not type(None)))
+                known = ", ".join(sorted(known.__name__ for known in classes))
                 raise self.error(
                     slot, f"{type(law).__name__} is no law for the slot {slot}: use one of {known}"
                 )
@@ -175,9 +175,9 @@ def has_general_return(material: Material) -> bool:
     return other or material.kinematic_hardening is not None
 
 
-def laws_for(slot: str) -> dict:
-    """The classes of laws that a slot takes."""
-    known = SLOTS[slot].implementations
+def laws_for(slot: str) -> set[type]:
+    """The classes of laws that a slot takes, apart from those that only the points make."""
+    known = set(SLOTS[slot].implementations)
     if slot == "yield_condition":
-        return known | return_stress.implementations
-    return {law: how for law, how in known.items() if law is not General}
+        known |= set(return_stress.implementations)
+    return {law for law in known - {type(None), General} if not getattr(law, "is_internal", False)}

@@ -8,8 +8,10 @@ from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
+from core_models.erosion.delete import DeletePoint
 from core_models.erosion.no_shear import AllowNoShear
 from core_models.erosion.no_tension import AllowNoTension
+from core_models.erosion.preserve_stress import PreserveStress
 from core_models.erosion.zero_stress import ZeroStress
 from core_models.expansion.isotropic import IsotropicExpansion
 from core_models.flow.anand import Anand
@@ -58,6 +60,7 @@ def _shipped(name: str) -> tuple:
 SAMPLES = {
     "update": [HypoelasticPlastic(), HyperelasticPlastic(), CompressibleNeoHookean()],
     "elasticity": [IsotropicElastic(BULK, SHEAR)],
+    "objective_rate": [Logarithmic(), Jaumann()],
     "eos": [DefaultHypoelastic(BULK), NeoHookean(BULK), MieGruneisen(DENSITY, 3940.0, 2.02, 1.489)],
     "flow": [
         PerfectPlasticity(90e6),
@@ -105,6 +108,5 @@ SAMPLES = {
     "specific_heat": [ConstantSpecificHeat(383.0), CopperSpecificHeat(), SteelSpecificHeat()],
     "heating": [TaylorQuinney(0.9), IsentropicHeating(0.9)],
     "expansion": [IsotropicExpansion(1.7e-5, 294.0)],
-    "erosion": [ZeroStress(), AllowNoTension(), AllowNoShear()],
-    "objective_rate": [Jaumann(), Logarithmic()],
+    "erosion": [ZeroStress(), AllowNoTension(), AllowNoShear(), PreserveStress(), DeletePoint()],
 }  # fmt: skip
