@@ -1,6 +1,8 @@
 """Checks of the numbers that a solver is built with."""
 
+import inspect
 import math
+from typing import Any
 
 from core_models.errors import SceneError
 
@@ -15,11 +17,21 @@ def check_between(name: str, value: float, low: float, high: float, unit: str = 
     )
 
 
-def check_motion(velocity: float, temperature: float | None) -> None:
-    """Refuse an initial velocity [m/s] that is not finite, or a temperature [K] that is not above 0; SceneError."""
-    check_between("velocity", velocity, -math.inf, math.inf, "m/s")
-    if temperature is not None:
-        check_between("temperature", temperature, 0.0, math.inf, "K")
+def check_function(what: str, value: Any, *given: str) -> None:
+    """Refuse a function that cannot be called with what it will be given; SceneError. Anything else passes."""
+    if not callable(value):
+        return
+    try:
+        signature = inspect.signature(value)
+    except (TypeError, ValueError):
+        return  # compiled functions may have none
+    try:
+        signature.bind(*given)
+    except TypeError:
+        raise SceneError(
+            f"{what} is a function {signature}, but is called with {' and '.join(given)}: give a function of "
+            f"{len(given)} argument{'s' * (len(given) > 1)}"
+        ) from None
 
 
 def check_share(name: str, value: float) -> None:

@@ -1,9 +1,10 @@
 """Bulk viscosity: one form, shared by every method."""
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from core_models.dispatch import generic
+from core_models.errors import SceneError
 
 
 class BulkViscosity(NamedTuple):
@@ -20,6 +21,20 @@ class BulkViscosity(NamedTuple):
 
     linear: float = 0.06
     quadratic: float = 1.2
+
+
+def check_viscosity(viscosity: Any) -> None:
+    """Refuse what is neither a BulkViscosity with finite coefficients from 0 nor None; SceneError."""
+    if viscosity is None:
+        return
+    if not isinstance(viscosity, BulkViscosity):
+        raise SceneError(
+            f"viscosity = {viscosity!r} is no bulk viscosity: give core_models.bulk_viscosity.BulkViscosity(linear, "
+            "quadratic), or None"
+        )
+    for name, value in viscosity._asdict().items():
+        if not (isinstance(value, int | float) and 0.0 <= value < math.inf):
+            raise SceneError(f"viscosity: {name} = {value!r} is out of range: give a finite number from 0")
 
 
 @generic

@@ -44,3 +44,11 @@ class RunFailure(MatpointError):
     """A run that went wrong and could not be rescued by redoing the step with smaller increments."""
 
     exit_status = 3
+
+
+class NoEquilibrium(RunFailure):
+    """A quasi-static increment that could not be solved however small; the last converged state is kept."""
+
+
+class SingularStiffness(RunFailure):
+    """A body that can move without resistance; the message names the free motion."""

@@ -21,7 +21,14 @@ class Spatial(NamedTuple):
 GEOMETRIES = {"axisymmetric": Axisymmetric(), "plane-strain": PlaneStrain(), "spatial": Spatial()}
 DIMENSIONS = {"axisymmetric": 2, "plane-strain": 2, "spatial": 3}
 
+AXES = "xyz"
+
 Geometry = Axisymmetric | PlaneStrain | Spatial
+
+
+def axis_names(geometry: Geometry) -> str:
+    """Names of the coordinates, one letter each."""
+    return "rz" if isinstance(geometry, Axisymmetric) else AXES
 
 
 def find_geometry(name: str | None, dimension: int) -> Geometry:

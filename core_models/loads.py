@@ -4,6 +4,7 @@ Boundaries are named parts of a mesh's rim. Positions x and X are arrays (n, d) 
 time [s]. A function may return one value for all points or one for each.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -117,18 +118,21 @@ def displaced(boundary: str, component: int, history: Callable[[float], float], 
 
 
 def at_time(value: Any, time: float) -> float:
-    """Value of a number or of a function of time; SceneError for what is no number."""
+    """Value of a number or of a function of time; SceneError for what is no finite number."""
     raw = value(time) if callable(value) else value
     try:
-        return float(raw)
+        number = float(raw)
     except (TypeError, ValueError):
         raise SceneError(f"a load gives {raw!r} at t = {time:.6g} s: give a number") from None
+    if not math.isfinite(number):
+        raise SceneError(f"a load gives {number} at t = {time:.6g} s: give a finite number")
+    return number
 
 
 def at_points(value: Any, positions: np.ndarray, time: float, components: int = 0) -> np.ndarray:
     """Values (n,) or, with `components` d, (n, d) of a constant or a function of position and time.
 
-    Raises SceneError for values of another shape, a single number for a vector among them.
+    Raises SceneError for values of another shape, a single number for a vector among them, and for infinite ones.
     """
     raw = value(positions, time) if callable(value) else value
     shape = (len(positions), components) if components else (len(positions),)
@@ -141,6 +145,12 @@ def at_points(value: Any, positions: np.ndarray, time: float, components: int = 
         one = f"a vector of {components} components" if components else "a number"
         raise SceneError(
             f"a load gives an array of shape {values.shape} at t = {time:.6g} s: give {one}, or an array {shape}"
+        )
+    if not np.isfinite(values).all():
+        bad = ~np.isfinite(np.broadcast_to(values, shape)).reshape(len(positions), -1).all(axis=1)
+        place = ", ".join(f"{x:.4g}" for x in positions[int(bad.argmax())])
+        raise SceneError(
+            f"a load gives a number that is not finite at ({place}) m, t = {time:.6g} s: give finite ones"
         )
     return np.broadcast_to(values, shape)
 

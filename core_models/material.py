@@ -1,15 +1,15 @@
 """A material: one law per slot, and which slots fit together."""
 
-from dataclasses import dataclass, fields
+import logging
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 from core_models.effects import Effect, material_effects
-from core_models.eos.default_hypo import DefaultHypoelastic
-from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.errors import MaterialError
-from core_models.flow.johnson_cook import JohnsonCook
 from core_models.laws import (
     advance_rows,
+    back_stress_constants,
     damage_increment,
     elastic_moduli,
     eroded_stress,
@@ -21,12 +21,17 @@ from core_models.laws import (
     return_to_surface,
     shear_modulus,
     shear_stiffness,
-    under_pressure,
+    thermal_volume,
 )
+from core_models.material_checks import cautions, complaints
 from core_models.model import Model
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
+from core_models.updates.corotation import corotated
+from core_models.updates.general import General
+from core_models.updates.general_problem import return_stress
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.yield_condition.von_mises import VonMises
 
 SLOTS = {
     "update": advance_rows,
@@ -34,16 +39,20 @@ SLOTS = {
     "eos": pressure,
     "flow": flow_stress,
     "yield_condition": return_to_surface,
+    "kinematic_hardening": back_stress_constants,
     "damage": damage_increment,
     "shear_modulus": shear_modulus,
     "melting": melting_temperature,
     "specific_heat": heat_capacity,
     "heating": heated_fraction,
+    "expansion": thermal_volume,
     "erosion": eroded_stress,
+    "objective_rate": corotated,
 }
-EMPTY_SLOTS = ("kinematic_hardening", "stability")
-PLASTIC_SLOTS = ("eos", "flow", "yield_condition", "shear_modulus", "damage", "melting", "heating", "erosion")
-LARGEST_MODULUS_GAP = 0.2  # between the card's moduli and those that the other laws have at rest
+EMPTY_SLOTS = ("stability",)
+REQUIRED_SLOTS = ("update", "elasticity")
+
+log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
@@ -57,10 +66,12 @@ class Material:
     The other slots : laws of core_models.<slot>; all but eos and elasticity may be left out.
     room_temperature : initial temperature unless a body gives its own [K].
     thermal_conductivity : k [W/(m K)], > 0, or None.
+    origins : file and line of each slot in the card that the material comes from, for messages.
 
     Raises
     ------
-    MaterialError : a law in the wrong slot, or laws that make no sense together.
+    MaterialError : a law in the wrong slot, numbers out of their ranges, or laws that make no sense together
+    (core_models.compatibility).
     """
 
     name: str
@@ -76,24 +87,66 @@ class Material:
     melting: Any = None
     specific_heat: Any = None
     heating: Any = None
+    expansion: Any = None
     stability: Any = None
     erosion: Any = None
+    objective_rate: Any = None
     room_temperature: float = 294.0
     thermal_conductivity: float | None = None
+    origins: Mapping[str, str] = field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
-        check_slots(self)
-        check_combination(self)
+        self.check_slots()
+        self.check_combination()
+
+    def check_slots(self) -> None:
+        """Refuse a law in a slot whose generic function it does not implement."""
+        for slot in EMPTY_SLOTS:
+            if getattr(self, slot) is not None:
+                given = type(getattr(self, slot)).__name__
+                raise self.error(slot, f"the slot {slot} takes no law yet ({given} given): leave it out")
+        for slot in SLOTS:
+            law, classes = getattr(self, slot), laws_for(slot)
+            if law is not None and type(law) not in classes:
+                known = ", ".join(sorted(known.__name__ for known in classes))
+                raise self.error(
+                    slot, f"{type(law).__name__} is no law for the slot {slot}: use one of {known}"
+                )
+        for slot in REQUIRED_SLOTS:
+            if getattr(self, slot) is None:
+                raise self.error(slot, f"a material needs a law in the slot {slot}")
+
+    def check_combination(self) -> None:
+        """Refuse numbers and combinations that make no sense, log what should be known."""
+        for slot, text in complaints(self):
+            raise self.error(slot, text)
+        for slot, text in cautions(self):
+            log.warning("%s: %s", self.place(slot), text)
+
+    def place(self, slot: str) -> str:
+        """Where the law of a slot stands: file and line of the card, and the material's name."""
+        origin = self.origins.get(slot, self.origins.get("update"))
+        return self.name if origin is None else f"{origin}: {self.name}"
+
+    def error(self, slot: str, text: str) -> MaterialError:
+        """The error that names the place of a slot."""
+        return MaterialError(f"{self.place(slot)}: {text}")
 
     @property
     def model(self) -> Model:
         """The laws as compiled code sees them."""
-        return Model(*(getattr(self, name) for name in Model._fields))
+        model = Model(*(getattr(self, name) for name in Model._fields))
+        return (
+            model._replace(update=General(self.update, self.update.tolerance))
+            if has_general_return(self)
+            else model
+        )
 
     @property
     def laws(self) -> tuple:
         """All laws that are present."""
-        return tuple(law for law in self.model if isinstance(law, tuple))
+        given = (getattr(self, name) for name in Model._fields)
+        return tuple(law for law in given if isinstance(law, tuple))
 
     def uses(self, need: str) -> bool:
         """Whether any law states the need `uses_temperature` or `uses_energy`."""
@@ -114,113 +167,17 @@ class Material:
         return material_effects(self)
 
 
-def check_slots(material: Material) -> None:
-    """Refuse a law in a slot whose generic function it does not implement."""
-    for field in fields(material):
-        value = getattr(material, field.name)
-        if field.name in EMPTY_SLOTS and value is not None:
-            raise MaterialError(
-                f"{material.name}: the slot {field.name} takes no law yet ({type(value).__name__} given): leave it out"
-            )
-        if field.name in SLOTS and type(value) not in SLOTS[field.name].implementations and value is not None:
-            known = ", ".join(
-                sorted(c.__name__ for c in SLOTS[field.name].implementations if c is not type(None))
-            )
-            raise MaterialError(
-                f"{material.name}: {type(value).__name__} is no law for the slot {field.name}: use one of {known}"
-            )
-    required = ("update", "elasticity") if is_whole(material) else ("update", "elasticity", "eos")
-    for slot in required:
-        if getattr(material, slot) is None:
-            raise MaterialError(f"{material.name}: a material needs a law in the slot {slot}")
+def has_general_return(material: Material) -> bool:
+    """Whether the laws need more than the scalar radial return."""
+    if isinstance(material.update, CompressibleNeoHookean):
+        return False
+    other = type(material.yield_condition) in return_stress.implementations.keys() - {VonMises}
+    return other or material.kinematic_hardening is not None
 
 
-def is_whole(material: Material) -> bool:
-    """Whether the stress follows from the deformation alone, so that no other law has a say in it."""
-    return isinstance(material.update, CompressibleNeoHookean)
-
-
-def check_combination(material: Material) -> None:
-    """Refuse combinations of laws and parameters that make no sense together."""
-    for wrong, remedy in _complaints(material):
-        if wrong:
-            raise MaterialError(f"{material.name}: {remedy}")
-
-
-def _complaints(m: Material):
-    bulk, shear = elastic_moduli(m.elasticity)
-    melting = melting_temperature(m.melting)
-    yield (not m.density > 0.0, f"density must be positive, not {m.density!r} kg/m^3")
-    yield (
-        not (bulk > 0.0 and shear > 0.0),
-        f"bulk and shear modulus must be positive, not {bulk!r} and {shear!r} Pa",
-    )
-    yield (
-        m.thermal_conductivity is not None and not m.thermal_conductivity > 0.0,
-        f"thermal_conductivity must be positive, not {m.thermal_conductivity!r} W/(m K): leave it out if unknown",
-    )
-    resting = m.shear_at_rest(m.room_temperature)
-    yield (
-        abs(resting - shear) > LARGEST_MODULUS_GAP * shear,
-        f"{type(m.shear_modulus).__name__} gives {resting:.4g} Pa at room temperature and the card's shear modulus is "
-        f"{shear:.4g} Pa: they describe the same stiffness, correct one of them",
-    )
-    for slot in PLASTIC_SLOTS:
-        yield (
-            is_whole(m) and getattr(m, slot) is not None,
-            f"{type(m.update).__name__} is elastic, and its stress needs no other law: leave {slot} out",
-        )
-    yield (
-        isinstance(m.update, HyperelasticPlastic) and isinstance(m.eos, DefaultHypoelastic),
-        "the hyperelastic update needs a stored energy, which default_hypo has not: take neo_hookean or mie_gruneisen",
-    )
-    yield (
-        (m.flow is None) != (m.yield_condition is None),
-        "a flow law and a yield condition go together: give both (von Mises with any flow law here) or neither",
-    )
-    if isinstance(m.eos, MieGruneisen):
-        stiffness = m.eos.reference_density * m.eos.C_0**2
-        yield (
-            m.eos.reference_density != m.density,
-            f"the equation of state has reference density {m.eos.reference_density!r}, the material {m.density!r}",
-        )
-        yield (
-            abs(stiffness - bulk) > LARGEST_MODULUS_GAP * bulk,
-            f"rho_0 C_0^2 = {stiffness:.4g} Pa and the bulk modulus {bulk:.4g} Pa differ by more than "
-            f"{LARGEST_MODULUS_GAP:.0%}: they describe the same stiffness, correct one of them",
-        )
-    yield (
-        m.heating is not None and (m.specific_heat is None or m.flow is None),
-        "plastic heating needs a flow law and a specific heat: add specific_heat or leave heating out",
-    )
-    yield (
-        m.damage is not None and m.flow is None,
-        "damage grows with plastic strain: add a flow law or leave damage out",
-    )
-    yield (
-        m.erosion is not None and m.damage is None,
-        "erosion acts on failed points: add a damage law or leave erosion out",
-    )
-    yield (
-        m.melting is not None and not melting > m.room_temperature,
-        f"melt_temp {melting!r} K must lie above room_temp {m.room_temperature!r} K",
-    )
-    for law in (m.flow, m.damage):
-        if hasattr(law, "T_m") and hasattr(law, "T_r"):
-            yield (
-                not law.T_m > law.T_r,
-                f"{type(law).__name__}: melting temperature T_m = {law.T_m!r} K must lie above T_r = {law.T_r!r} K",
-            )
-    if isinstance(m.flow, JohnsonCook) and m.melting is not None:
-        yield (
-            m.flow.T_m > melting,
-            f"Johnson-Cook T_m = {m.flow.T_m!r} K lies above melt_temp = {melting!r} K: the point would melt first",
-        )
-    if m.flow is not None:
-        variable = getattr(m.flow, "hardening_variable", 0.0)
-        flow = under_pressure(m.flow, 1.0, 0.0, melting)
-        start = flow_stress(flow, variable, 0.0, 0.0, m.room_temperature)[0]
-        yield (
-            not 0.0 <= start < resting,
-            f"the initial flow stress {start:.4g} Pa must lie between 0 and the shear modulus {resting:.4g} Pa",
-        )
+def laws_for(slot: str) -> set[type]:
+    """The classes of laws that a slot takes, apart from those that only the points make."""
+    known = set(SLOTS[slot].implementations)
+    if slot == "yield_condition":
+        known |= set(return_stress.implementations)
+    return {law for law in known - {type(None), General} if not getattr(law, "is_internal", False)}

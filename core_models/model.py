@@ -8,13 +8,16 @@ class Model(NamedTuple):
 
     density: float
     update: tuple
+    objective_rate: tuple | None
     elasticity: tuple
     eos: tuple
     flow: tuple | None
     yield_condition: tuple | None
+    kinematic_hardening: tuple | None
     damage: tuple | None
     shear_modulus: tuple | None
     melting: tuple | None
     specific_heat: tuple | None
     heating: tuple | None
+    expansion: tuple | None
     erosion: tuple | None

@@ -3,7 +3,7 @@
 import logging
 from collections.abc import Callable
 
-from core_models.errors import RunFailure
+from core_models.errors import RunFailure, SceneError
 from core_models.points import PointFailure
 
 logger = logging.getLogger(__name__)
@@ -41,7 +41,12 @@ def redoing(attempt, dt: float, smallest: float, place: Callable[[], str], expla
 
 
 def step_within(dt: float, remaining: float) -> float:
-    """The step to take, not beyond `remaining` [s]: the last two steps are alike, so that none is next to nothing."""
+    """The step to take, not beyond `remaining` [s]: the last two steps are alike, so that none is next to nothing.
+
+    Raises SceneError where nothing remains.
+    """
+    if not remaining > 0.0:
+        raise SceneError(f"advance: the limit is {remaining:g} s after the present time: give a later one")
     if remaining <= dt:
         return remaining
     return min(dt, 0.5 * remaining)

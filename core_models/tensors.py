@@ -134,6 +134,18 @@ def congruence(a, s):
 
 
 @inside_kernel
+def transposed(a):
+    """Tensor a^T."""
+    return (a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8])
+
+
+@inside_kernel
+def full(s):
+    """A symmetric tensor as nine components."""
+    return (s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2])
+
+
+@inside_kernel
 def trace(s):
     """Trace of a symmetric tensor."""
     return s[0] + s[1] + s[2]

@@ -3,11 +3,16 @@
 import math
 from dataclasses import dataclass
 
+import numpy as np
+
 from core_models.errors import SceneError
+from core_models.geometry import Geometry, axis_names
 from core_models.names import suggestion
 
 UNILATERAL = "unilateral"
 PLANE = "plane"
+
+BELOW = 1e-9  # of the body's size: what is lower than this is below the wall
 
 MEANING = {
     UNILATERAL: "nothing passes, everything may leave",
@@ -50,3 +55,16 @@ def as_wall(wall: Wall | str | None) -> Wall | None:
     raise SceneError(
         f"wall = {wall!r} is no wall: give a core_models.walls.Wall, {' or '.join(MEANING)}, or None"
     )
+
+
+def check_above(wall: Wall | None, points: np.ndarray, geometry: Geometry) -> None:
+    """Refuse a body with points (n, d) [m] that starts below the wall; SceneError with the numbers."""
+    if wall is None:
+        return
+    low, high = float(points[:, -1].min()), float(points[:, -1].max())
+    if low < -BELOW * (high - low):
+        name = axis_names(geometry)[points.shape[1] - 1]
+        raise SceneError(
+            f"the body starts from {name} = {low:.6g} to {high:.6g} m, and the wall is at {name} = 0: move the body "
+            f"up by {-low:.6g} m, or leave the wall out"
+        )

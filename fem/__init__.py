@@ -1,7 +1,8 @@
-"""Finite element method: explicit dynamics on scikit-fem spaces."""
+"""Finite element method on scikit-fem spaces: explicit dynamics, and implicit quasi-statics."""
 
 from fem.explicit import ExplicitSolver
+from fem.implicit.solver import ImplicitSolver
 
 DISTRIBUTION = "matpoint"
 
-__all__ = ["ExplicitSolver"]
+__all__ = ["ExplicitSolver", "ImplicitSolver"]

@@ -74,6 +74,11 @@ class Body:
         if bad.size:
             raise PointFailure(*(int(value) for value in self._failures[bad[0]]))
 
+    @property
+    def trial_scales(self) -> np.ndarray | None:
+        """(theta / J)^(1/3) of the last deformation (points,), accepted or not; None without a cure."""
+        return self._next_scales
+
     def accept(self) -> None:
         """Make the last deformation the present one."""
         self.scales, self._next_scales = self._next_scales, self.scales

@@ -7,9 +7,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from core_models.arguments import check_between
+from core_models.body_checks import check_body
 from core_models.bulk_viscosity import BulkViscosity
-from core_models.errors import SceneError
 from core_models.geometry import find_geometry
+from core_models.initial_deformation import cannot_be, deform_slowly
+from core_models.initial_motion import field_values, initial_velocities
 from core_models.ledger import EnergyLedger
 from core_models.load_checks import check_loads, damping_of
 from core_models.loads import Load, at_time
@@ -17,24 +19,22 @@ from core_models.material import Material
 from core_models.points import MaterialPoints, PointFailure
 from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.threads import Threads
-from core_models.walls import Wall, as_wall
+from core_models.walls import Wall, as_wall, check_above
 from fem.body import Body
+from fem.checkpoint import Restartable
 from fem.conduction import Conduction
 from fem.cures.choice import find_cure
 from fem.elements import FULL
 from fem.external import ExternalForces
 from fem.hourglass import DEFAULT
-from fem.initial import initial_positions, initial_velocities
 from fem.motion import CONTACT, DAMPING, EXTERNAL, FRICTION, IMPULSE, NODE_CHUNK, SUMS, move, wall_mode
 from fem.readout import Readout
 from fem.supports import Supports
 from meshes.axisymmetric import axisymmetric
-from meshes.mesh import Mesh
-
-QUASI_STATIC = 1e9  # s: time in which an initial displacement is imposed, so that no rate matters
+from meshes.mesh import Mesh, check_mesh
 
 
-class ExplicitSolver(Readout):
+class ExplicitSolver(Restartable, Readout):
     """Explicit dynamics of a body.
 
     Parameters
@@ -76,14 +76,15 @@ class ExplicitSolver(Readout):
         hourglass: float = DEFAULT,
         safety: float = 0.9,
     ) -> None:
+        check_mesh(mesh)
+        check_body(material, temperature, viscosity)
         check_between("safety", safety, 0.0, 1.0)
         check_between("hourglass", hourglass, 0.0, 1.0)
-        if temperature is not None:
-            check_between("temperature", temperature, 0.0, math.inf, "K")
         self.geometry = find_geometry(geometry, mesh.dimension)
         self.mesh = axisymmetric(mesh) if geometry in (None, "axisymmetric") and mesh.dimension == 2 else mesh
-        check_loads(loads, self.mesh, self.geometry, conduction=conduction)
+        self._agreement = check_loads(loads, self.mesh, self.geometry, conduction=conduction)
         self.material, self.wall, self.safety = material, as_wall(wall), safety
+        check_above(self.wall, self.mesh.points, self.geometry)
         self.cure = find_cure(cure, mesh.kind, integration)
         self.threads = Threads(threads)
         self._body = Body(self.mesh, material, self.geometry, integration, self.cure, hourglass, self.threads)
@@ -106,7 +107,8 @@ class ExplicitSolver(Readout):
         self.wall_impulse, self.wall_force = 0.0, 0.0
         self._ledger = EnergyLedger(0.0, 0.0)
         if displacement is not None:
-            self._displace(initial_positions(displacement, self.mesh.points))
+            points = self.mesh.points
+            self._displace(points + field_values("displacement", displacement, points, "m"))
         self._conduction = None
         if conduction:
             self._conduction = Conduction(
@@ -122,17 +124,11 @@ class ExplicitSolver(Readout):
         """Bring the undeformed body to given positions (n, d) [m], slowly; SceneError if it cannot be there."""
         try:
             self._body.deform(positions, self.points)
-            work = self.points.advance(QUASI_STATIC)
         except PointFailure as reason:
-            raise SceneError(
-                f"the initial displacement cannot be: {reason} at point {reason.point}: make it smaller"
-            ) from None
-        self.points.accept()
+            raise cannot_be(reason) from None
+        self._ledger.strain, self._ledger.plastic = deform_slowly(self.points)
         self._body.accept()
         self.positions[:] = positions
-        if self.points.viscous_pressure is not None:
-            self.points.viscous_pressure[:] = 0.0
-        self._ledger.plastic, self._ledger.strain = work.plastic, work.stress - work.plastic
 
     def advance(self, limit: float = math.inf) -> None:
         """Make one step; a step that some point cannot take is redone smaller.
@@ -159,6 +155,7 @@ class ExplicitSolver(Readout):
         body, supports = self._body, self._supports
         x1, v1, held1 = self._next
         middle = 0.5 * (self._last_step + dt)
+        self._agreement.check(self.time + 0.5 * dt)
         supports.move_to(self.time + 0.5 * dt)
         self.threads.run(
             move, len(self._node_sums), self.geometry, body.round.start, body.round.entries, body.corner_forces,

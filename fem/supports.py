@@ -4,9 +4,9 @@ import numpy as np
 
 from core_models.errors import SceneError
 from core_models.geometry import Axisymmetric, Geometry
-from core_models.load_checks import symmetry_plane
 from core_models.loads import Load, Symmetry, at_points, supports
 from core_models.names import suggestion
+from core_models.symmetry import symmetry_plane
 from meshes.mesh import Mesh
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -72,6 +73,14 @@ class Mesh:
     def corners(self) -> np.ndarray:
         """Coordinates (m, c, d) [m] of the vertices of the cells."""
         return self.points[self.cells[:, : KINDS[self.kind].corners]]
+
+
+def check_mesh(mesh: Any) -> None:
+    """Refuse what is no mesh; MeshError."""
+    if not isinstance(mesh, Mesh):
+        raise MeshError(
+            f"mesh = {mesh!r} is no mesh: give a meshes.mesh.Mesh, for example of meshes.block.block"
+        )
 
 
 def _check_points(points: np.ndarray, dimension: int) -> None:

@@ -1,6 +1,20 @@
-"""Points of the body's surface held in the grid: where loads and supports act on the nodes round them."""
+"""Points of the body's surface held in the grid: where loads and supports act on the nodes round them.
+
+A point x is held by the nodes that it reaches itself, with weights N_i(x), or through its particle x_p:
+
+    w_i = N_i(x - b) + b . grad N_i(x_p)
+
+which have the same sum, 1, and the same first moment, so force and torque are those at x. With b the thickness of the
+particle's domain, its volume over its face, a force F then acts on it like the stress F b / V, and goes on from the
+middle of the body: a uniform stress is in balance with it node by node. N_i(x) alone is not fit for forces: a surface
+enters a layer of cells before its particles do, and a finite force on a node with next to no mass would strain them
+without bound.
+Source: Liang, Given & Soga, Comput. Methods Appl. Mech. Eng. 404 (2023) 115785 (virtual stress), here in one layer of
+particles.
+"""
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
@@ -9,10 +23,11 @@ from core_models.errors import RunFailure
 from mpm.geometries import dimension_of, stand
 from mpm.grid import FORCE, MASS, RECORD, VELOCITY, node_at
 from mpm.interpolation import reach
-from mpm.interpolation.cpdi import ConvectedDomain
+from mpm.interpolation.catalogue import Interpolation
+from mpm.interpolation.cpdi import ConvectedDomain, corner_gradients
 from mpm.interpolation.gimp import UniformGimp
 from mpm.interpolation.linear import LinearHat
-from mpm.tile import STENCIL, WEIGHTS, put_stencil
+from mpm.tile import SLOPES, STENCIL, WEIGHTS, put_stencil
 
 
 def point_shape(shape):
@@ -20,9 +35,18 @@ def point_shape(shape):
     return LinearHat() if isinstance(shape, UniformGimp | ConvectedDomain) else shape
 
 
+def particle_shape(shape, particles: np.ndarray):
+    """The interpolation of some of the particles, numbered anew."""
+    if isinstance(shape, UniformGimp):
+        return UniformGimp(shape.halves[particles])
+    if isinstance(shape, ConvectedDomain):
+        return ConvectedDomain(shape.half_edges[particles], shape.gradient[particles])
+    return shape
+
+
 @kernel
-def hold(first, last, stencil, geometry, shape, grid, points, nodes, weights):
-    """Nodes along each axis (k, d, reach), counted from base, that points (k, d) [m] reach, and their weights."""
+def hold(first, last, stencil, geometry, shape, grid, points, nodes, weights, gradients):
+    """Nodes along each axis (k, d, reach), from base, that points (k, d) [m] reach, their weights and slopes [1/m]."""
     for p in range(first, last):
         i, j, k, t = stand(geometry, shape, grid, points, p)
         put_stencil(stencil, geometry, shape, p, t, grid.over_h)
@@ -31,6 +55,7 @@ def hold(first, last, stencil, geometry, shape, grid, points, nodes, weights):
             for node in range(reach(shape)):
                 nodes[p, axis, node] = begin[axis] + node
                 weights[p, axis, node] = stencil[WEIGHTS + 4 * node + axis]
+                gradients[p, axis, node] = stencil[SLOPES + 4 * node + axis]
 
 
 @kernel
@@ -43,6 +68,48 @@ def number_nodes(geometry, grid, nodes, numbers):
         numbers[m] = number
 
 
+def reached(geometry, shape, grid, points: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Nodes (k, a, 3), counted from base, that points (k, d) [m] reach, weights (k, a) and slopes (k, a, d) [1/m]."""
+    k, d = points.shape
+    along = np.empty((k, d, reach(shape)), dtype=np.int64)
+    weights, slopes = np.empty((2, k, d, reach(shape)))
+    hold(0, k, np.zeros(STENCIL), geometry, shape, grid, points, along, weights, slopes)
+    nodes = np.zeros((k, *(reach(shape),) * d, 3), dtype=np.int64)
+    product, products = np.ones((k, *(1,) * d)), [np.ones((k, *(1,) * d)) for _axis in range(d)]
+    for axis in range(d):
+        across = (k, *(reach(shape) if other == axis else 1 for other in range(d)))
+        nodes[..., axis] = along[:, axis].reshape(across)
+        product = product * weights[:, axis].reshape(across)
+        for other in range(d):
+            factor = slopes if other == axis else weights
+            products[other] = products[other] * factor[:, axis].reshape(across)
+    return nodes.reshape(k, -1, 3), product.reshape(k, -1), np.stack(products, axis=-1).reshape(k, -1, d)
+
+
+def sloping(geometry, shape, grid, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Nodes (k, a, 3), from base, that particles at points (k, d) [m] reach, and slopes of weights (k, a, d) [1/m]."""
+    if not isinstance(shape, ConvectedDomain):
+        nodes, _weights, slopes = reached(geometry, shape, grid, points)
+        return nodes, slopes
+    k, d = points.shape
+    offsets, factors = corner_gradients(shape)
+    nodes, weights, _slopes = reached(geometry, LinearHat(), grid, (points[:, None] + offsets).reshape(-1, d))
+    slopes = weights.reshape(k, 2**d, -1, 1) * factors[:, :, None]
+    return nodes.reshape(k, -1, 3), slopes.reshape(k, -1, d)
+
+
+class Through(NamedTuple):
+    """The particles that surface points belong to.
+
+    particles : (k, d) [m] where they are. thickness : (k, d) [m], b of the module's formula. shape : their
+    interpolation.
+    """
+
+    particles: np.ndarray
+    thickness: np.ndarray
+    shape: Interpolation
+
+
 class Anchors:
     """Points (k, d) and the nodes that carry them.
 
@@ -51,26 +118,30 @@ class Anchors:
 
     Parameters
     ----------
-    geometry, shape, grid : of the background. pairs : (axis, node beyond, image) of its symmetry planes.
-    points : positions (k, d) [m].
+    geometry, grid : of the background. shape : interpolation of a point. pairs : (axis, node beyond, image) of the
+    symmetry planes. points : positions (k, d) [m]. through : `Through` the particles, or None.
 
     nodes : (m,) numbers of the nodes. masses : (m,) [kg]. velocities : (..., 4) of all nodes after the forces [m/s].
     local (k, a) : places in `nodes` of those that each point reaches. weights (k, a, d) : theirs along each axis.
     """
 
     def __init__(
-        self, geometry, shape, grid, pairs: Sequence[tuple[int, int, int]], points: np.ndarray
+        self,
+        geometry,
+        shape,
+        grid,
+        pairs: Sequence[tuple[int, int, int]],
+        points: np.ndarray,
+        through: Through | None = None,
     ) -> None:
-        shape = point_shape(shape)
-        k, d = points.shape
-        along = np.empty((k, d, reach(shape)), dtype=np.int64)
-        one_by_one = np.empty((k, d, reach(shape)))
-        hold(0, k, np.zeros(STENCIL), geometry, shape, grid, points, along, one_by_one)
-        nodes, weights = np.zeros((k, 1, 3), dtype=np.int64), np.ones((k, 1))
-        for axis in range(d):
-            nodes = np.repeat(nodes, reach(shape), axis=1)
-            nodes[:, :, axis] = np.tile(along[:, axis], (1, weights.shape[1]))
-            weights = (weights[:, :, None] * one_by_one[:, axis, None, :]).reshape(k, -1)
+        d = points.shape[1]
+        if through is None:
+            nodes, weights, _slopes = reached(geometry, shape, grid, points)
+        else:
+            inner, weights, _slopes = reached(geometry, shape, grid, points - through.thickness)
+            outer, slopes = sloping(geometry, through.shape, grid, through.particles)
+            nodes = np.concatenate([inner, outer], axis=1)
+            weights = np.concatenate([weights, np.einsum("kai,ki->ka", slopes, through.thickness)], axis=1)
         signs = np.ones((*weights.shape, d))
         for axis, beyond, image in pairs:
             mirrored = nodes[:, :, axis] == beyond

@@ -4,12 +4,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from core_models.checkpoint import Checkpoint
 from core_models.compilation import CHUNK
 from core_models.geometry import Geometry
 from core_models.threads import Threads
-from mpm.anchors import Anchors
+from mpm.anchors import Anchors, Through, particle_shape, point_shape
 from mpm.configurations import Total, Updated
-from mpm.grid import FORCE, MASS, RECORD, VELOCITY, block_nodes, clear, make_grid, with_storage
+from mpm.grid import FORCE, MASS, RECORD, VELOCITY, block_nodes, box_grid, clear, make_grid, with_storage
 from mpm.interpolation import layers
 from mpm.interpolation.catalogue import Interpolation
 from mpm.interpolation.cpdi import ConvectedDomain, step_factor
@@ -67,6 +68,22 @@ class Background:
         if isinstance(self.shape, ConvectedDomain):
             return step_factor(self.shape, self.geometry, self.cell_size, self.threads)
         return 1.0
+
+    def checkpoint(self) -> Checkpoint:
+        """The box of the grid, which the order of all sums depends on, and the impulses across symmetry planes."""
+        return {
+            "low": self.grid.low.copy(),
+            "shape": self.grid.shape.copy(),
+            "beyond": np.array(self._beyond),
+        }
+
+    def restore(self, checkpoint: Checkpoint, particles: int) -> None:
+        """Make the grid of a checkpoint anew, for so many particles."""
+        low, shape = (np.array(checkpoint[name], dtype=np.int64) for name in ("low", "shape"))
+        self.grid = box_grid(self.cell_size, self._base, low, shape)
+        self.order = make_order(particles, self.grid)
+        self.blocks = 0
+        self._beyond = checkpoint["beyond"].tolist()
 
     def follow(self, positions: np.ndarray) -> int | None:
         """Sort the particles into the grid; returns the number of one that does not fit in, if there is one."""
@@ -162,8 +179,15 @@ class Background:
         return force
 
     def anchors(self, points: np.ndarray) -> Anchors:
-        """Points (k, d) [m] of the surface, held in the grid that has been filled."""
-        return Anchors(self.geometry, self.shape, self.grid, self._pairs, points)
+        """Points (k, d) [m] of the surface, held by the nodes that they reach in the grid that has been filled."""
+        return Anchors(self.geometry, point_shape(self.shape), self.grid, self._pairs, points)
+
+    def anchors_through(
+        self, points: np.ndarray, particles: np.ndarray, positions: np.ndarray, thickness: np.ndarray
+    ) -> Anchors:
+        """Points (k, d) [m] held through particles (k,) of all these positions (n, d) [m], thickness (k, d) [m]."""
+        through = Through(positions[particles], thickness, particle_shape(self.shape, particles))
+        return Anchors(self.geometry, point_shape(self.shape), self.grid, self._pairs, points, through)
 
     def carried(self, positions: np.ndarray, affine: np.ndarray) -> np.ndarray:
         """Affine velocities C (n, d, d) [1/s] times the second moments D of the particles' weights [m^2/s]."""

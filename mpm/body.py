@@ -5,14 +5,15 @@ from typing import Any
 import numpy as np
 
 from core_models.bulk_viscosity import BulkViscosity
-from core_models.errors import SceneError
 from core_models.geometry import Geometry
+from core_models.initial_deformation import deform_slowly
+from core_models.initial_motion import field_values, initial_velocities
 from core_models.material import Material
-from core_models.points import MaterialPoints, PointFailure
+from core_models.points import MaterialPoints
 from core_models.threads import Threads
 from meshes.mesh import Mesh
 from mpm.configurations import Total, Updated
-from mpm.initial import STAGES, field_gradients, field_values, initial_gradients, initial_velocities
+from mpm.initial import field_gradients, initial_gradients
 from mpm.particles import domain_corners, seed
 from mpm.shape import Boundary, deformed
 
@@ -64,7 +65,7 @@ class Body:
         self.velocities = initial_velocities(velocity, self.reference_positions)
         self.affine = np.zeros((n, d, d)) if affine else None
         self.volume_ratio = np.ones(n)
-        self.stored_energy = 0.0
+        self.stored_energy, self.plastic_energy = 0.0, 0.0
         if displacement is not None:
             self._displace(displacement)
         if affine and callable(velocity):
@@ -115,22 +116,10 @@ class Body:
 
     def _displace(self, displacement: Any) -> None:
         """Move the particles to X + u(X) and give them the state of that deformation."""
-        if not callable(displacement):
-            raise SceneError(
-                f"displacement = {displacement!r} is no function of positions: give one, or None"
-            )
         reference = self.reference_positions
-        self.positions += field_values("displacement", displacement, reference)
-        change = initial_gradients(displacement, reference, self.geometry) - np.eye(3)
-        for stage in range(1, STAGES + 1):
-            self.points.deformation_gradient[:] = np.eye(3) + stage / STAGES * change
-            try:
-                self.stored_energy += self.points.advance(1.0).stress
-            except PointFailure as reason:
-                raise SceneError(
-                    f"the initial displacement cannot be: {reason} at particle {reason.point}: make it smaller"
-                ) from None
-            self.points.accept()
+        self.positions += field_values("displacement", displacement, reference, "m")
+        self.points.deformation_gradient[:] = initial_gradients(displacement, reference, self.geometry)
+        self.stored_energy, self.plastic_energy = deform_slowly(self.points)
         self.volume_ratio = self.points.volume_ratio
 
     def _turn(self, velocity: Any) -> None:

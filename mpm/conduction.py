@@ -54,10 +54,7 @@ class Conduction:
         held, fluxes = thermal_loads(loads)
 
         def on_boundaries(found: list) -> list[tuple]:
-            return [
-                (load, Surface(particles.faces[load.boundary], particles.positions, geometry))
-                for load in found
-            ]
+            return [(load, Surface(particles.faces[load.boundary], particles, geometry)) for load in found]
 
         self._held, self._fluxes = on_boundaries(held), on_boundaries(fluxes)
         self._capacities = Capacities(points)

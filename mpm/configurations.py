@@ -12,12 +12,14 @@ Source: de Vaucorbeil, Nguyen & Hutchinson, Comput. Methods Appl. Mech. Eng. 360
 
 from typing import NamedTuple
 
+import numpy as np
+
 from core_models.compilation import CHUNK, kernel
 from core_models.dispatch import generic
 from core_models.errors import SceneError, UnsupportedError
 from core_models.geometry import Axisymmetric, PlaneStrain, Spatial
 from core_models.names import suggestion
-from core_models.state import write
+from core_models.state import read, write
 from core_models.tensors import determinant, inverse, load_tensor, store_tensor
 from mpm.geometries import deform, dimension_of
 from mpm.lanes import lane, lanes
@@ -30,7 +32,12 @@ class Updated(NamedTuple):
 
 
 class Total(NamedTuple):
-    """The grid covers the reference body."""
+    """The grid covers the reference body.
+
+    stretch : (n,) what F of a particle is divided by before its points see it (mpm.dilatation), or None for 1.
+    """
+
+    stretch: np.ndarray | None = None
 
 
 CONFIGURATIONS = {"updated": Updated(), "total": Total()}
@@ -75,8 +82,9 @@ def _(configuration, geometry, gradients, p, volume, ratio, s_xx, s_yy, s_zz, s_
 @pulls.register(Total)
 def _(configuration, geometry, gradients, p, volume, ratio, s_xx, s_yy, s_zz, s_xy, s_yz, s_zx):
     f = load_tensor(gradients, p)
-    x, y = lanes(s_xx, s_xy, s_zx, 0.0) * -volume, lanes(s_xy, s_yy, s_yz, 0.0) * -volume
-    z = lanes(s_zx, s_yz, s_zz, 0.0) * -volume
+    volume = -volume / read(configuration.stretch, p, 1.0)
+    x, y = lanes(s_xx, s_xy, s_zx, 0.0) * volume, lanes(s_xy, s_yy, s_yz, 0.0) * volume
+    z = lanes(s_zx, s_yz, s_zz, 0.0) * volume
     # J F^-T, the cofactors of F
     hoop = f[0] * f[4] - f[1] * f[3]
     pull_x = (
@@ -101,11 +109,12 @@ def _(configuration, geometry, old, new, p, dt, x, y, z, v, positions):
 
 @deform_particle.register(Total)
 def _(configuration, geometry, old, new, p, dt, x, y, z, v, positions):
-    f = load_tensor(old, p)
+    f, s = load_tensor(old, p), read(configuration.stretch, p, 1.0)
+    hoop = lane(z, 2) + hoop_rate(geometry, v, positions, p)
     g = (
-        f[0] + dt * lane(x, 0), f[1] + dt * lane(y, 0), f[2] + dt * lane(z, 0),
-        f[3] + dt * lane(x, 1), f[4] + dt * lane(y, 1), f[5] + dt * lane(z, 1),
-        f[6] + dt * lane(x, 2), f[7] + dt * lane(y, 2), f[8] + dt * (lane(z, 2) + hoop_rate(geometry, v, positions, p)),
+        s * f[0] + dt * lane(x, 0), s * f[1] + dt * lane(y, 0), s * f[2] + dt * lane(z, 0),
+        s * f[3] + dt * lane(x, 1), s * f[4] + dt * lane(y, 1), s * f[5] + dt * lane(z, 1),
+        s * f[6] + dt * lane(x, 2), s * f[7] + dt * lane(y, 2), s * f[8] + dt * hoop,
     )  # fmt: skip
     store_tensor(new, p, g)
     return determinant(g)

@@ -32,8 +32,12 @@ class Contact:
         self.wall = wall
         self._particles = np.ascontiguousarray(surface.particles)
         self._corners = np.ascontiguousarray(surface.corners)
-        self._touched = np.zeros(len(self._particles), dtype=np.bool_)
+        self.touched = np.zeros(len(self._particles), dtype=np.bool_)
         self._gaps, self._held = np.zeros(0), np.zeros(0, dtype=np.bool_)
+
+    def restore(self, touched: np.ndarray) -> None:
+        """Remember which faces (k,) have touched the wall, as `touched` of a checkpoint says."""
+        self.touched[:] = touched
 
     def measure(
         self, background: Background, positions: np.ndarray, deformation_gradient: np.ndarray
@@ -45,7 +49,7 @@ class Contact:
             self._gaps, self._held = np.zeros(columns), np.zeros(columns, dtype=np.bool_)
         measure_gaps(
             background.geometry, background.grid, positions, deformation_gradient, self._particles, self._corners,
-            self.wall.kind == PLANE, self._touched, self._gaps, self._held,
+            self.wall.kind == PLANE, self.touched, self._gaps, self._held,
         )  # fmt: skip
 
     def meet(self, background: Background, dt: float) -> Push:

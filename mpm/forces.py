@@ -23,7 +23,7 @@ class Forces:
     ) -> None:
         self._body = [load for load in loads if isinstance(load, BodyForce)]
         self._surface = [
-            (load, Surface(particles.faces[load.boundary], particles.positions, geometry))
+            (load, Surface(particles.faces[load.boundary], particles, geometry))
             for load in loads
             if isinstance(load, Traction | Pressure)
         ]
@@ -43,9 +43,17 @@ class Forces:
         return self._on_particles
 
     def load_surfaces(
-        self, background: Background, time: float, positions: np.ndarray, deformation_gradient: np.ndarray
+        self,
+        background: Background,
+        time: float,
+        places: np.ndarray,
+        positions: np.ndarray,
+        deformation_gradient: np.ndarray,
     ) -> None:
-        """Add the forces on the surface to the grid."""
+        """Add the forces on the surface to the grid.
+
+        places : of the particles (n, d) in the body that the grid covers; positions : in the deformed one [m].
+        """
         self._on_surface = []
         for load, surface in self._surface:
             if isinstance(load, Pressure):
@@ -55,8 +63,12 @@ class Forces:
             else:
                 traction = at_points(load.traction, surface.reference_points, time, positions.shape[1])
                 forces = surface.reference_areas[:, None] * traction
-            places = surface.places(background.configuration, positions, deformation_gradient)
-            anchors = background.anchors(places)
+            anchors = background.anchors_through(
+                surface.places(background.configuration, positions, deformation_gradient),
+                surface.particles,
+                places,
+                surface.thickness(background.configuration, deformation_gradient),
+            )
             for axis in range(forces.shape[1]):
                 anchors.load(axis, forces[:, axis])
             self._on_surface.append((anchors, forces))

@@ -78,13 +78,18 @@ def make_grid(geometry: Geometry, cell_size: float, base: np.ndarray, positions:
             f"a grid of {' x '.join(f'{EDGE * n:.3g}' for n in shape[:dimension])} nodes for cells of "
             f"{cell_size:.3g} m is too large: give larger cells (at most {EDGE**dimension * MOST_BLOCKS:.0e} nodes)"
         )
+    return box_grid(cell_size, base, first.astype(np.int64), shape.astype(np.int64))
+
+
+def box_grid(cell_size: float, base: np.ndarray, low: np.ndarray, shape: np.ndarray) -> Grid:
+    """Grid with a box of `shape` (3,) blocks from block `low` (3,) on, without storage yet."""
     count = int(shape.prod())
     return Grid(
         cell_size,
         1.0 / cell_size,
         base,
-        first.astype(np.int64),
-        shape.astype(np.int64),
+        low,
+        shape,
         np.full(count, -1, dtype=np.int32),
         np.zeros(count, dtype=np.int32),
         np.zeros(0),

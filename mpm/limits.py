@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from core_models.errors import SceneError
-from core_models.load_checks import AXES
+from core_models.geometry import Geometry, axis_names
 from core_models.walls import Wall
 from meshes.mesh import Mesh
 from mpm.mirrors import Mirror
@@ -25,7 +25,7 @@ def bounds_of(
     return bounds
 
 
-def check_size(mesh: Mesh, cell_size: float, mirrors: Sequence[Mirror]) -> None:
+def check_size(mesh: Mesh, geometry: Geometry, cell_size: float, mirrors: Sequence[Mirror]) -> None:
     """Refuse a grid too coarse for the body; SceneError with the numbers."""
     sizes = np.ptp(mesh.points, axis=0)
     mirrored = {mirror.axis for mirror in mirrors}
@@ -33,7 +33,7 @@ def check_size(mesh: Mesh, cell_size: float, mirrors: Sequence[Mirror]) -> None:
         whole = 2.0 * size if axis in mirrored else size
         if whole < FEWEST_CELLS * cell_size * (1.0 - 1e-9):
             raise SceneError(
-                f"the grid is too coarse: the body is {size:.4g} m across along {AXES[axis]}, which is "
+                f"the grid is too coarse: the body is {size:.4g} m across along {axis_names(geometry)[axis]}, which is "
                 f"{size / cell_size:.3g} cells of {cell_size:.4g} m: give cells of at most "
                 f"{whole / FEWEST_CELLS:.4g} m"
             )

@@ -10,9 +10,9 @@ import numpy as np
 
 from core_models.compilation import inside_kernel, kernel
 from core_models.errors import SceneError
-from core_models.geometry import Axisymmetric, Geometry
-from core_models.load_checks import AXES, symmetry_plane
+from core_models.geometry import Axisymmetric, Geometry, axis_names
 from core_models.loads import Load, Symmetry
+from core_models.symmetry import symmetry_plane
 from core_models.walls import Wall
 from meshes.mesh import Mesh
 from mpm.grid import VELOCITY, block_nodes
@@ -57,8 +57,9 @@ def find_mirrors(
             base[axis], fixed[axis] = position, repr(names[0])
         cells = (position - base[axis]) / cell_size
         if abs(cells - round(cells)) > FIT:
+            name = axis_names(geometry)[axis]
             raise SceneError(
-                f"the symmetry plane {names[0]!r} at {AXES[axis]} = {position:.6g} m is {abs(cells):.6g} cells of "
+                f"the symmetry plane {names[0]!r} at {name} = {position:.6g} m is {abs(cells):.6g} cells of "
                 f"{cell_size:.6g} m from {fixed[axis]} at {base[axis]:.6g} m: the grid needs a whole number of cells "
                 f"between them, for example cells of {abs(position - base[axis]) / max(round(abs(cells)), 1):.6g} m"
             )

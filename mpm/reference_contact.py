@@ -84,8 +84,13 @@ class ReferenceContact:
 
     def __init__(self, wall: Wall, rim: Surface) -> None:
         self._wall, self._rim = wall, rim
-        self._touched = np.zeros(len(rim.reference_points), dtype=np.bool_)
+        self.touched = np.zeros(len(rim.reference_points), dtype=np.bool_)
         self._anchors: Anchors | None = None
+
+    def restore(self, touched: np.ndarray) -> None:
+        """Remember which points (k,) have touched the wall, as `touched` of a checkpoint says, in a new grid."""
+        self.touched[:] = touched
+        self._anchors = None
 
     def measure(
         self, background: Background, positions: np.ndarray, deformation_gradient: np.ndarray
@@ -95,14 +100,14 @@ class ReferenceContact:
             self._anchors = background.anchors(self._rim.reference_points)
         self._heights = self._rim.points(positions, deformation_gradient)[:, -1]
         if self._wall.kind == PLANE:
-            self._touched |= self._heights <= TOUCHING * background.cell_size
-        self._near = np.flatnonzero((self._heights <= NEAR * background.cell_size) | self._touched)
+            self.touched |= self._heights <= TOUCHING * background.cell_size
+        self._near = np.flatnonzero((self._heights <= NEAR * background.cell_size) | self.touched)
 
     def meet(self, background: Background, dt: float) -> Push:
         """Stop what would pass the wall within dt [s]."""
         anchors, near = self._anchors, self._near
         axes = range(anchors.weights.shape[2])
-        held = self._touched[near]
+        held = self.touched[near]
         targets = np.where(held, 0.0, -np.maximum(self._heights[near], 0.0) / dt)
         found = [anchors.after(axis)[near] for axis in axes]
         if not (held | (found[-1] < targets)).any():

@@ -6,26 +6,29 @@ from typing import Any
 import numpy as np
 
 from core_models.arguments import check_between
+from core_models.body_checks import check_body
 from core_models.bulk_viscosity import BulkViscosity, damped_step_factor
 from core_models.compilation import CHUNK
 from core_models.errors import RunFailure, SceneError
-from core_models.geometry import Axisymmetric, find_geometry
+from core_models.geometry import Axisymmetric, axis_names, find_geometry
 from core_models.ledger import EnergyLedger
-from core_models.load_checks import AXES, check_loads, damping_of
+from core_models.load_checks import check_loads, damping_of
 from core_models.loads import Load, Symmetry, at_time
 from core_models.material import Material
 from core_models.names import suggestion
 from core_models.points import Work
 from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.threads import Threads
-from core_models.walls import Wall, as_wall
+from core_models.walls import Wall, as_wall, check_above
 from meshes.axisymmetric import axisymmetric
-from meshes.mesh import Mesh
+from meshes.mesh import Mesh, check_mesh
 from mpm.background import Background
 from mpm.body import Body
+from mpm.checkpoint import Restartable
 from mpm.conduction import Conduction
 from mpm.configurations import Total, find_configuration, pull_back
 from mpm.contact import Contact, Push
+from mpm.dilatation import Dilatation, find_cure
 from mpm.forces import Forces
 from mpm.grid import RECORD, VELOCITY
 from mpm.interpolation.catalogue import check_interpolation, make_interpolation
@@ -43,7 +46,7 @@ from mpm.transfers import make_transfer
 from mpm.xpic import Filter
 
 
-class Solver(Body):
+class Solver(Restartable, Body):
     """Explicit dynamics of a body, from a mesh that its particles are seeded from.
 
     Parameters
@@ -58,8 +61,8 @@ class Solver(Body):
     transfer : 'apic', 'flip', 'pic' or 'xpic'. flip_fraction : share of FLIP in the blend with PIC.
     xpic_order : m of XPIC(m). update : of the stress, 'usl' (last) or 'musl' (last, modified).
     configuration : that the grid covers, 'updated' (the body as it is) or 'total' (the reference body).
-    seeding : 'gauss' or 'lattice'. cfl : part of h / (c + |v|), in the total configuration of h / (c |F^-1|), that is
-    taken as step, in (0, 1].
+    cure : of volumetric locking, 'mean-dilatation' or None. seeding : 'gauss' or 'lattice'.
+    cfl : part of h / (c + |v|), in the total configuration of h / (c |F^-1|), that is taken as step, in (0, 1].
 
     `advance` makes one step: particles to grid -> motion of the grid -> wall -> grid to particles -> points.
     Velocities belong to the middle of the last step, positions and stress to its end.
@@ -88,23 +91,26 @@ class Solver(Body):
         xpic_order: int = 2,
         update: str = USL,
         configuration: str = "updated",
+        cure: str | None = None,
         seeding: str = GAUSS,
         cfl: float = 0.5,
     ) -> None:
+        check_mesh(mesh)
+        check_body(material, temperature, viscosity)
         check_interpolation(interpolation)
         check_update(update)
+        cured = find_cure(cure)
         frame = find_configuration(configuration, interpolation, conduction)
         self._transfer = make_transfer(transfer, flip_fraction, xpic_order)
         check_between("cell_size", cell_size, 0.0, math.inf, "m")
         self.cfl = check_between("cfl", cfl, 0.0, 1.0)
-        if temperature is not None:
-            check_between("temperature", temperature, 0.0, math.inf, "K")
         kind = find_geometry(geometry, mesh.dimension)
         mesh = axisymmetric(mesh) if isinstance(kind, Axisymmetric) else mesh
         wall = as_wall(wall)
-        check_loads(loads, mesh, kind, conduction=conduction)
+        self._agreement = check_loads(loads, mesh, kind, conduction=conduction)
+        check_above(wall, mesh.points, kind)
         base, mirrors = find_mirrors(mesh, kind, loads, wall, cell_size)
-        check_size(mesh, cell_size, mirrors)
+        check_size(mesh, kind, cell_size, mirrors)
         super().__init__(
             mesh, material, kind, Threads(threads), seeding=seeding, velocity=velocity, displacement=displacement,
             temperature=temperature, viscosity=viscosity, affine=self._transfer.affine, conduction=conduction,
@@ -126,13 +132,16 @@ class Solver(Body):
         is_total = isinstance(frame, Total)
         # Where the particles are in the body that the grid covers: this array itself moves along in the updated one.
         self._places = self.reference_positions if is_total else self.positions
+        self._cure = Dilatation(self.points.reference_volumes, is_total) if cured else None
+        if self._cure is not None:
+            self._cure.accept(self._background)
         self._background.surround(self._places)
         mirrored = [load.boundary for load in loads if isinstance(load, Symmetry)]
         self._contact = None
         if wall is not None:
             rim = rim_faces(mesh, kind, seeding, self.particles, mirrored)
             if is_total:
-                self._contact = ReferenceContact(wall, Surface(rim, self.reference_positions, kind))
+                self._contact = ReferenceContact(wall, Surface(rim, self.particles, kind))
             else:
                 self._contact = Contact(wall, rim)
         self._filter = Filter(self._transfer.order) if self._transfer.order else None
@@ -152,7 +161,10 @@ class Solver(Body):
         self.initial_momentum = self.momentum
         self.wall_impulse, self.wall_force = 0.0, 0.0
         self._kinetic = self._particle_energy()
-        self.ledger = EnergyLedger(self._kinetic + self.stored_energy, self._kinetic, self.stored_energy)
+        stored, dissipated = self.stored_energy, self.plastic_energy
+        self.ledger = EnergyLedger(
+            self._kinetic + stored + dissipated, self._kinetic, stored, plastic=dissipated
+        )
         self.time_step = self._stable_step(self._speed(), float(self.points.wave_speed.max()), 0.0)
         self._first_step = self.time_step
 
@@ -186,14 +198,21 @@ class Solver(Body):
             self._check_inside(outside)
             background.surround(self._places)
             background.follow(self._places)
+        viscous = points.viscous_pressure
+        if self._cure is not None:
+            viscous = self._cure.average_pressures(
+                background, self._places, self.volume_ratio, points.old.stress, viscous
+            )
         background.fill(
             self._places, self.velocities, self.affine, self.material.density, points.reference_volumes,
-            self.volume_ratio, points.old_deformation_gradient, points.old.stress, points.viscous_pressure,
+            self.volume_ratio, points.old_deformation_gradient, points.old.stress, viscous,
             self._forces.on_particles(self.time, self.positions),
         )  # fmt: skip
         if self._filter is not None:
             self._filter.apply(background, self._places, self.material.density, points.reference_volumes)
-        self._forces.load_surfaces(background, self.time, self.positions, points.old_deformation_gradient)
+        self._forces.load_surfaces(
+            background, self.time, self._places, self.positions, points.old_deformation_gradient
+        )
         if self._contact is not None:
             self._contact.measure(background, self.positions, points.old_deformation_gradient)
         # A step that fails for good leaves the grid as it is: what it was filled from may have been overwritten.
@@ -218,8 +237,14 @@ class Solver(Body):
         external = dt * self._forces.power(moves)
         damped = background.damped_energy(keep) if self._damping else 0.0
         lost = 0.0 if self._remap is None else self._deform_again(dt, external)
+        if self._cure is not None:
+            self._cure.average_ratios(
+                background, self._places, points.deformation_gradient, self.volume_ratio
+            )
         work = points.advance(dt)
         points.accept()
+        if self._cure is not None:
+            self._cure.accept(background)
         self._conduct(dt)
         background.convect(points.old_deformation_gradient)
         self.threads.run(advect, -(-points.n // CHUNK), dt, moves, self.positions)
@@ -229,6 +254,7 @@ class Solver(Body):
     def _constrain(self, dt: float) -> tuple[Hold, Push]:
         """Change the grid's velocity after the forces to what supports, wall and symmetry planes allow."""
         background = self._background
+        self._agreement.check(self.time + 0.5 * dt)
         hold = self._supports.impose(
             background, self.time + 0.5 * dt, self.positions, self.points.old_deformation_gradient,
             self._last_step == 0.0,
@@ -327,7 +353,7 @@ class Solver(Body):
         background, where = self._background, self.points.place(self.step_count + 1, self.time, particle)
         place, bounds = self.positions[particle], background.bounds
         if not ((bounds[:, 0] <= place) & (place <= bounds[:, 1]) & np.isfinite(place)).all():
-            names = "rz" if isinstance(self.geometry, Axisymmetric) else AXES
+            names = axis_names(self.geometry)
             outside = ", ".join(f"{name} = {x:.4g} m" for name, x in zip(names, place, strict=False))
             raise RunFailure(
                 f"{where}: the particle has left the domain ({outside}); check velocity and material, or try another "

@@ -57,9 +57,7 @@ class Supports:
                     f"the support on {name!r} holds the axis r = 0, where particles have no faces: take it off (the "
                     "axis is held radially without), or support another boundary"
                 )
-        self._surfaces = {
-            name: Surface(particles.faces[name], particles.positions, geometry) for name in self.names
-        }
+        self._surfaces = {name: Surface(particles.faces[name], particles, geometry) for name in self.names}
         self._by_axis: list[list[Prescribed]] = [
             [load for load in held if load.component == axis] for axis in range(self._dimension)
         ]

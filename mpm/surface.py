@@ -5,7 +5,7 @@ import numpy as np
 from core_models.geometry import Axisymmetric, Geometry
 from meshes.facets import facet_vectors
 from mpm.configurations import Total, Updated
-from mpm.particles import Faces
+from mpm.particles import Faces, Particles
 from mpm.shape import deformed
 
 
@@ -14,17 +14,19 @@ class Surface:
 
     Parameters
     ----------
-    faces : of the boundary. reference : (n, d) positions of the particles in the reference body [m].
+    faces : of the boundary. particles : all of them, in the reference body.
 
     particles : (k,) numbers of the particles whose faces they are.
     """
 
-    def __init__(self, faces: Faces, reference: np.ndarray, geometry: Geometry) -> None:
+    def __init__(self, faces: Faces, particles: Particles, geometry: Geometry) -> None:
         self.particles, self._corners = faces.particles, faces.corners
         self._middles = _middles(faces.corners)
         self._revolved = isinstance(geometry, Axisymmetric)
-        self.reference_points = reference[faces.particles] + self._middles[:, 0]
-        self.reference_areas = np.linalg.norm(self._vectors(faces.corners, self.reference_points), axis=1)
+        self.reference_points = particles.positions[faces.particles] + self._middles[:, 0]
+        vectors = self._vectors(faces.corners, self.reference_points)
+        self.reference_areas = np.linalg.norm(vectors, axis=1)
+        self._thickness = vectors * (particles.volumes[faces.particles] / self.reference_areas**2)[:, None]
 
     def points(self, positions: np.ndarray, deformation_gradient: np.ndarray) -> np.ndarray:
         """Current middles (k, d) [m] of the faces."""
@@ -37,6 +39,13 @@ class Surface:
         if isinstance(configuration, Total):
             return self.reference_points
         return self.points(positions, deformation_gradient)
+
+    def thickness(self, configuration: Updated | Total, deformation_gradient: np.ndarray) -> np.ndarray:
+        """Vectors (k, d) [m] through the particles' domains to the faces, in the body that the grid covers."""
+        if isinstance(configuration, Total):
+            return self._thickness
+        d = self._thickness.shape[1]
+        return np.einsum("kij,kj->ki", deformation_gradient[self.particles, :d, :d], self._thickness)
 
     def area_vectors(
         self, points: np.ndarray, positions: np.ndarray, deformation_gradient: np.ndarray

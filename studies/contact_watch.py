@@ -1,5 +1,10 @@
 """Observer: when the bar first and last touched the wall."""
 
+import math
+
+import numpy as np
+
+from core_models.checkpoint import Checkpoint
 from studies.observer import Observer
 
 
@@ -13,6 +18,16 @@ class ContactWatch(Observer):
     def start(self, solver) -> None:
         """Begin before the first step."""
         self._previous_time = solver.time
+
+    def resume(self, solver, checkpoint: Checkpoint) -> None:
+        """Go on with what had been seen."""
+        known = [None if math.isnan(time) else float(time) for time in checkpoint["times"]]
+        self.first, self.last, self._previous_time = known
+
+    def checkpoint(self) -> Checkpoint:
+        """First, last and previous time [s]; NaN for none."""
+        times = (self.first, self.last, self._previous_time)
+        return {"times": np.array([math.nan if time is None else time for time in times])}
 
     def step(self, solver) -> None:
         """Look once after each step."""

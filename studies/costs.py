@@ -30,6 +30,12 @@ class Cost:
     point_updates: int = 0
     peak_memory_bytes: int = 0
 
+    def add(self, wall_s: float, cpu_s: float) -> None:
+        """Count what earlier processes of a resumed run had spent, as stepping [s]."""
+        self.wall_s += wall_s
+        self.cpu_s += cpu_s
+        self.stepping_s += wall_s
+
 
 class _CompileClock(Listener):
     """Time between the outermost start and end of compilation: a function compiles the ones it calls."""

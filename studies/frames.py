@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from core_models.checkpoint import Checkpoint
 from studies.observer import Observer
 from studies.output_folder import OutputFolder
 
@@ -19,6 +20,15 @@ class Frames(Observer):
         """Write the initial state."""
         self._write(solver)
 
+    def resume(self, solver, checkpoint: Checkpoint) -> None:
+        """Go on after the frames written so far; later ones are written over."""
+        self._written = [(time, frame_name(k)) for k, time in enumerate(checkpoint["times"].tolist())]
+        self._next = float(checkpoint["next"])
+
+    def checkpoint(self) -> Checkpoint:
+        """Times of the frames and of the next one."""
+        return {"times": np.array([time for time, _ in self._written]), "next": np.array(self._next)}
+
     def step(self, solver) -> None:
         """Write when the next frame's time has come."""
         if solver.time >= self._next:
@@ -33,10 +43,15 @@ class Frames(Observer):
         from meshes.io import write_domains_vtu, write_pvd
 
         self._next = (np.floor(solver.time / self._interval) + 1.0) * self._interval
-        name = f"frames/frame-{len(self._written):04d}.vtu"
+        name = frame_name(len(self._written))
         write_domains_vtu(self._folder.file(name), solver.domains(), cell_data(solver))
         self._written.append((solver.time, name))
         write_pvd(self._folder.file("series.pvd"), self._written)
+
+
+def frame_name(number: int) -> str:
+    """File of a frame in the run's folder."""
+    return f"frames/frame-{number:04d}.vtu"
 
 
 def cell_data(solver) -> dict[str, np.ndarray]:

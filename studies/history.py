@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from core_models.checkpoint import Checkpoint
 from studies import bar_shape
 from studies.bar_outline import bar_outline
 from studies.observer import Observer
@@ -42,6 +43,15 @@ class History(Observer):
     def start(self, solver) -> None:
         """Sample the initial state."""
         self._sample(solver)
+
+    def resume(self, solver, checkpoint: Checkpoint) -> None:
+        """Go on with the rows sampled so far."""
+        self._rows = [tuple(row) for row in checkpoint["rows"].tolist()]
+        self._next = float(checkpoint["next"])
+
+    def checkpoint(self) -> Checkpoint:
+        """Rows and next sampling time."""
+        return {"rows": np.array(self._rows), "next": np.array(self._next)}
 
     def step(self, solver) -> None:
         """Sample when the next sampling time has come."""

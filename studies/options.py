@@ -78,10 +78,13 @@ def names(text: str) -> tuple[str, ...]:
     return tuple(word.strip() for word in text.split(","))
 
 
-def add_scene_options(parser: argparse.ArgumentParser) -> None:
-    """The scene and where its includes and laws are found."""
+def add_scene_options(parser: argparse.ArgumentParser, *, optional: bool = False) -> None:
+    """The scene, which may be left out where it is optional, and where its includes and laws are found."""
     parser.add_argument(
-        "scene", metavar="SCENE", help="a shipped scene's name (matpoint scenes) or an XML file"
+        "scene",
+        metavar="SCENE",
+        nargs="?" if optional else None,
+        help="a shipped scene's name (matpoint scenes) or an XML file",
     )
     parser.add_argument(
         "--search-root",

@@ -29,12 +29,15 @@ class OutputFolder:
             raise unwritable(self.path, error) from error
         self._claim()
 
-    def _claim(self) -> None:
+    def _lock_file(self) -> None:
         try:
             fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError as error:
             self._lock.close()
             raise _live(self.path) from error
+
+    def _claim(self) -> None:
+        self._lock_file()
         if _holds_files(self.path):
             self._lock.close()
             raise _not_empty(self.path)
@@ -87,6 +90,35 @@ class OutputFolder:
 
     def __exit__(self, *_: object) -> None:
         self.release()
+
+
+class ResumedFolder(OutputFolder):
+    """The folder of a run that did not end, claimed in order to go on with it.
+
+    Removes the temporary files that a killed process has left. Raises OutputError, before anything is written, when
+    there is no such folder or another live process has it.
+    """
+
+    def __init__(self, path: Path | str) -> None:
+        self.path, self._made = Path(path), []
+        if not self.path.is_dir():
+            raise OutputError(f"{path}: no such folder; name that of a run which did not end")
+        if _is_held(self.path):
+            raise _live(self.path)
+        try:
+            self._lock = open(self.path / LOCK, "a")  # noqa: SIM115 - held open as long as the folder is ours
+        except OSError as error:
+            raise unwritable(self.path, error) from error
+        self._claim()
+        for left in self.path.rglob(".*.part"):
+            left.unlink()
+
+    def _claim(self) -> None:
+        self._lock_file()
+        # Between opening and locking, the process that had the folder may have ended and removed its lock.
+        if not self._is_ours():
+            self._lock.close()
+            raise _live(self.path)
 
 
 def check_unused(path: Path | str) -> None:

@@ -25,6 +25,10 @@ class Progress(Observer):
         self._began = time.monotonic()
         self._show(f"{self._label}  starting ...")
 
+    def resume(self, solver, checkpoint) -> None:
+        """Start the clock anew."""
+        self.start(solver)
+
     def step(self, solver) -> None:
         """Redraw when the last drawing is old enough."""
         now = time.monotonic()

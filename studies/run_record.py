@@ -22,6 +22,7 @@ def run_entry(result: RunResult) -> dict:
         "message": "" if result.failure is None else str(result.failure),
         "ended": result.ended,
         "points": result.points,
+        "resumed": result.resumed,
         "quantities": {name: quantity.as_json() for name, quantity in result.quantities.items()},
         "cost": asdict(result.cost),
         "conservation": result.conservation,

@@ -24,7 +24,8 @@ class FinalState:
 class RunResult:
     """A run; when it went wrong `failure` is set and quantities and final state are missing.
 
-    ended: why the run ended; conservation: relative errors of mass, momentum, energy; energies [J].
+    resumed: how often it went on from a checkpoint; ended: why the run ended; conservation: relative errors of
+    mass, momentum, energy; energies [J].
     """
 
     scene: Scene
@@ -34,6 +35,7 @@ class RunResult:
     threads: int
     history: History
     cost: Cost
+    resumed: int = 0
     failure: RunFailure | DiskFull | None = None
     ended: str = ""
     points: int = 0

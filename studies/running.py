@@ -4,11 +4,16 @@ import time
 from contextlib import suppress
 from pathlib import Path
 
-from core_models.errors import DiskFull, OutputError, RunFailure
+from core_models.compilation import source_hash
+from core_models.errors import DiskFull, OutputError, RunFailure, UnsupportedError
 from core_models.walls import check_wall
 from studies.bar_outline import bar_outline, bar_section
+from studies.checkpointing.checkpoint_file import Saved, Settings, Spent
+from studies.checkpointing.checkpoints import Checkpoints
+from studies.checkpointing.interval import USUAL, Interval, interval_text
 from studies.contact_watch import ContactWatch
 from studies.costs import Cost, measured
+from studies.deadline import Deadline
 from studies.ending import Ending
 from studies.frames import Frames, cell_data
 from studies.history import ENERGIES, History
@@ -33,18 +38,20 @@ def run(
     threads: int = 1,
     out: Path | str | None = None,
     progress: bool = False,
+    interval: Interval | None = None,
 ) -> RunResult:
     """Run a scene and return what came of it.
 
     resolution: elements or cells across the radius (default: the scene's finest); wall: 'unilateral' or
-    'plane' (default: the scene's); out: folder to keep the run in (default: nothing is written).
+    'plane' (default: the scene's); out: folder to keep the run in (default: nothing is written); interval: between
+    checkpoints in that folder (default: a minute, if the method has any).
     Raises SceneError, MeshError, OutputError before anything is written; RunFailure when the run goes wrong,
     and then the folder keeps what had been written.
     """
     check_wall(wall or scene.wall)
     resolution = resolutions_of(scene, method)[-1] if resolution is None else resolution
     check_run(scene, method, resolution)
-    options = {"wall": wall, "threads": threads, "progress": progress}
+    options = {"wall": wall, "threads": threads, "progress": progress, "interval": interval}
     if out is None:
         result = simulate(scene, method, resolution, **options)
     else:
@@ -64,8 +71,14 @@ def simulate(
     threads: int = 1,
     folder: OutputFolder | None = None,
     progress: bool = False,
+    interval: Interval | None = None,
+    saved: Saved | None = None,
+    within: float | None = None,
 ) -> RunResult:
-    """Like `run`, into a folder that is already ours; a run that goes wrong is recorded, not raised."""
+    """Like `run`, into a folder that is already ours; a run that goes wrong is recorded, not raised.
+
+    saved: the checkpoint to go on from (default: from the start); within: seconds after which the run has failed.
+    """
     wall = check_wall(wall or scene.wall)
     with measured() as cost:
         began = time.perf_counter()
@@ -75,17 +88,38 @@ def simulate(
         contact, history = ContactWatch(), History(folder, scene.end.limit(wall))
         ending = Ending(scene, wall, contact)
         observers: list[Observer] = [contact]
+        if within is not None:
+            observers.append(Deadline(within))
         if progress:
             observers.append(Progress(f"{method} {resolution}", ending))
         if folder is not None:
             observers += [SceneCopy(scene, wall, folder), Frames(folder, scene.end.limit(wall))]
         observers.append(history)
-        result = RunResult(scene, method, resolution, wall, threads, history, cost)
-        result.failure = _advance(solver, ending, observers, cost)
+        spent = Spent() if saved is None else saved.spent
+        checkpoints = None
+        if folder is not None and _can_be_resumed(solver, interval):
+            interval = interval or USUAL
+            settings = Settings(method, resolution, wall, threads, interval_text(interval), source_hash())
+            checkpoints = Checkpoints(folder, interval, settings, observers, spent)
+            observers.append(checkpoints)
+        result = RunResult(scene, method, resolution, wall, threads, history, cost, resumed=spent.resumed)
+        result.failure = _advance(solver, ending, observers, cost, saved)
+    cost.add(spent.wall_s, spent.cpu_s)
     _conclude(result, solver, ending, contact, mass)
     if folder is not None:
         _record(result, folder)
+        if checkpoints is not None and result.failure is None:
+            checkpoints.remove()
     return result
+
+
+def _can_be_resumed(solver, interval: Interval | None) -> bool:
+    """Whether a solver has checkpoints; UnsupportedError if it has none and an interval asks for them."""
+    if interval is not None and not hasattr(solver, "checkpoint"):
+        raise UnsupportedError(
+            f"{solver.method} writes no checkpoints; leave them out, or use fem-explicit or mpm"
+        )
+    return hasattr(solver, "checkpoint")
 
 
 def _record(result: RunResult, folder: OutputFolder) -> None:
@@ -95,13 +129,14 @@ def _record(result: RunResult, folder: OutputFolder) -> None:
         result.failure = result.failure or failure
 
 
-def _advance(solver, ending: Ending, observers: list[Observer], cost: Cost) -> RunFailure | DiskFull | None:
+def _advance(
+    solver, ending: Ending, observers: list[Observer], cost: Cost, saved: Saved | None
+) -> RunFailure | DiskFull | None:
     """Step to the end, observed; returns the failure that stopped it, if one did."""
     began = time.perf_counter()
     finished = False
     try:
-        for observer in observers:
-            observer.start(solver)
+        _begin(solver, observers, saved)
         while not ending.reached(solver):
             check_interrupted()
             solver.advance(ending.next_stop(solver))
@@ -119,6 +154,16 @@ def _advance(solver, ending: Ending, observers: list[Observer], cost: Cost) -> R
         if not finished:
             _abandon(observers)
     return None
+
+
+def _begin(solver, observers: list[Observer], saved: Saved | None) -> None:
+    if saved is None:
+        for observer in observers:
+            observer.start(solver)
+        return
+    solver.restore(saved.solver)
+    for observer in observers:
+        observer.resume(solver, saved.observers.get(type(observer).__name__, {}))
 
 
 def _abandon(observers: list[Observer]) -> None:

@@ -27,6 +27,7 @@ WORDS: dict[str, dict[str, tuple[str, ...]]] = {
         "transfer": ("apic", "flip", "pic", "xpic"),
         "update": ("usl", "musl"),
         "configuration": ("updated", "total"),
+        "cure": ("none", "mean-dilatation"),
         "seeding": ("gauss", "lattice"),
     },
 }

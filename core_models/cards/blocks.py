@@ -7,7 +7,7 @@ from lxml import etree
 from core_models.cards.origins import XML_BASE, origin, quoted, refusal
 from core_models.errors import UnsupportedError
 from core_models.names import suggestion
-from core_models.schema import SLOTS, UNAVAILABLE_TAGS, Inert, Parameter
+from core_models.schema import SLOTS, UNAVAILABLE_TAGS, Inert, Parameter, Switch
 
 
 def check_attributes(element: etree._Element, valid: Collection[str]) -> None:
@@ -56,7 +56,7 @@ def check_text(element: etree._Element) -> None:
             )
 
 
-def names_of(entries: Iterable[Parameter | Inert]) -> dict[str, str]:
+def names_of(entries: Iterable[Parameter | Inert | Switch]) -> dict[str, str]:
     """Every tag of the entries, mapped to its canonical name."""
     names: dict[str, str] = {}
     for entry in entries:
@@ -79,8 +79,10 @@ def _unknown(element: etree._Element, child: etree._Element, names: Mapping[str,
 
 def _home(tag: str) -> str:
     """Where a tag belongs that stands outside its block, as in fragments whose outer tag was lost."""
-    for slot in SLOTS:
-        for model in slot.models:
-            if tag in names_of((*model.parameters, *model.inert)):
-                return f'it belongs into a <{slot.tags[0]} {slot.attribute}="{model.types[0]}">'
-    return ""
+    places = [(slot, model) for slot in SLOTS for model in slot.models]
+    homes = [place for place in places if tag in names_of(place[1].parameters)]
+    homes += [place for place in places if tag in names_of(place[1].inert)]
+    if not homes:
+        return ""
+    slot, model = homes[0]
+    return f'it belongs into a <{slot.tags[0]} {slot.attribute}="{model.types[0]}">'

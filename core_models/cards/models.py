@@ -1,20 +1,17 @@
 """One law read from its block by the schema of its slot."""
 
-import logging
 from collections.abc import Mapping
 
 from lxml import etree
 
 from core_models.cards.blocks import check_attributes, named_children, names_of
 from core_models.cards.numbers import check_inert, read_value
-from core_models.cards.origins import origin, quoted, refusal
+from core_models.cards.origins import quoted, refusal
 from core_models.errors import UnsupportedError
 from core_models.names import suggestion
 from core_models.schema import ModelSchema, Parameter, SlotSchema
 
 Numbers = Mapping[str, float]
-
-log = logging.getLogger(__name__)
 
 
 def chosen_model(element: etree._Element, slot: SlotSchema) -> ModelSchema | None:
@@ -62,14 +59,11 @@ def read_law(element: etree._Element, slot: SlotSchema, card: Numbers) -> tuple 
 
 
 def check_fault(element: etree._Element, law: tuple) -> None:
-    """Refuse a law that finds fault with its own numbers, log what it wants known about them."""
+    """Refuse a law that finds fault with its own numbers."""
     fault = law.fault() if hasattr(law, "fault") else ""
     if fault:
         problem, _, remedy = fault.partition(": ")
         raise refusal(element, f"<{element.tag}> of type {element.get('type')}: {problem}", remedy)
-    caution = law.caution() if hasattr(law, "caution") else ""
-    if caution:
-        log.warning("%s: <%s>: %s", origin(element), element.tag, caution)
 
 
 def read_numbers(

@@ -8,7 +8,7 @@ from lxml import etree
 from core_models.cards.blocks import check_attributes
 from core_models.cards.origins import quoted, refusal
 from core_models.errors import UnsupportedError
-from core_models.schema import ANY_NUMBER_OF, Inert, Interval, Parameter
+from core_models.schema import ANY_NUMBER_OF, Inert, Interval, Parameter, Switch
 
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 MISSING_EXPONENT_MARK = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+))[dD]?([+-]\d+)", re.ASCII)
@@ -35,6 +35,18 @@ def check_inert(element: etree._Element, inert: Inert) -> None:
             element,
             f"<{element.tag}> is {number!r}, but {inert.effect} is not available",
             f"delete the tag or give {_wanted(inert.range)}",
+            UnsupportedError,
+        )
+
+
+def check_switch(element: etree._Element, switch: Switch) -> None:
+    """Refuse a word that would switch something on, or off, that is not offered."""
+    word = _leaf_text(element)
+    if word not in switch.words:
+        raise refusal(
+            element,
+            f"<{element.tag}> is {quoted(word)}, but {switch.effect} is not available",
+            f"delete the tag or give {' or '.join(switch.words)}",
             UnsupportedError,
         )
 

@@ -12,17 +12,19 @@ from core_models.cards.blocks import check_attributes, named_children, names_of
 from core_models.cards.bodies import Cylinder, read_body
 from core_models.cards.includes import load_document
 from core_models.cards.models import check_ascending, chosen_model, read_numbers
-from core_models.cards.numbers import check_inert
+from core_models.cards.numbers import check_switch
 from core_models.cards.origins import origin, refusal
 from core_models.errors import MaterialError
 from core_models.material import Material
 from core_models.schema import (
     CONSTANTS,
+    DEAD_MODEL_TAGS,
     DEAD_TAGS,
     ELASTICITY,
-    EXPANSION,
+    EXPANSION_COEFFICIENT,
     HEATED_FRACTION,
     SLOTS,
+    SWITCHES,
     UPDATE,
     ModelSchema,
 )
@@ -72,7 +74,10 @@ def parse_material(element: etree._Element, name: str | None = None) -> Material
         raise refusal(element, f"the root is <{element.tag}>", "a material document has the root <material>")
     check_attributes(element, ("name",))
     blocks = _blocks(element)
-    unused = tuple(UnusedTag(tag, *origin(blocks.outer[tag])) for tag in blocks.outer if tag in DEAD_TAGS)
+    children = [*blocks.outer.items(), *blocks.inner.items()]
+    unused = tuple(
+        UnusedTag(tag, *origin(child)) for tag, child in children if tag in (*DEAD_TAGS, *DEAD_MODEL_TAGS)
+    )
     return MaterialCard(
         material=_material(blocks, name or element.get("name") or Path(origin(element).file).stem),
         bodies=tuple(read_body(body) for body in element.findall(BODY_TAG)),
@@ -104,26 +109,36 @@ def _outer_names() -> dict[str, str]:
 
 def _inner_names(update: ModelSchema) -> dict[str, str]:
     """Every tag that may stand in the block of an update, mapped to its canonical name."""
-    return names_of((*ELASTICITY, *update.parameters, HEATED_FRACTION, EXPANSION)) | _slot_names(MODEL_TAG)
+    numbers = (*ELASTICITY, *update.parameters, HEATED_FRACTION, EXPANSION_COEFFICIENT, *SWITCHES)
+    return names_of(numbers) | {tag: tag for tag in DEAD_MODEL_TAGS} | _slot_names(MODEL_TAG)
 
 
 def _slot_names(place: str) -> dict[str, str]:
     return {tag: slot.tags[0] for slot in SLOTS if place in slot.places for tag in slot.tags}
 
 
+def _origins(blocks: Blocks) -> dict[str, str]:
+    """File and line of the block of each slot that has one."""
+    found = {"update": str(origin(blocks.model))}
+    for slot in SLOTS:
+        block = blocks.outer.get(slot.tags[0], blocks.inner.get(slot.tags[0]))
+        if block is not None:
+            found[slot.slot] = str(origin(block))
+    return found
+
+
 def _material(blocks: Blocks, name: str) -> Material:
     update = chosen_model(blocks.model, UPDATE)
     constants = read_numbers(blocks.element, CONSTANTS, blocks.outer, {})
     check_ascending(blocks.element, (("room_temp", "melt_temp"),), constants, blocks.outer)
-    if EXPANSION.tag in blocks.inner:
-        check_inert(blocks.inner[EXPANSION.tag], EXPANSION)
+    for switch in SWITCHES:
+        if switch.tag in blocks.inner:
+            check_switch(blocks.inner[switch.tag], switch)
     settings = read_numbers(blocks.model, update.parameters, blocks.inner, {})
     moduli = read_numbers(blocks.model, ELASTICITY, blocks.inner, {})
     laws = assembled_laws(blocks, update.law(**settings), constants | moduli)
     try:
-        return Material(name=name, **laws)
-    except MaterialError as error:
-        raise MaterialError(f"{origin(blocks.model)}: {error}") from error
+        return Material(name=name, **laws, origins=_origins(blocks))
     except (ArithmeticError, ValueError) as error:
         raise refusal(
             blocks.model,

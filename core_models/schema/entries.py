@@ -79,6 +79,15 @@ class Inert:
 
 
 @dataclass(frozen=True)
+class Switch:
+    """A tag of an old deck that holds a word: accepted where the word says what is done anyway, else refused."""
+
+    tag: str
+    words: tuple[str, ...]
+    effect: str
+
+
+@dataclass(frozen=True)
 class ModelSchema:
     """One law: the type names that select it (the first is the one written), its class and its tags.
 

@@ -1,6 +1,6 @@
 """The card schema of plain tags: constants, elastic moduli, bodies, dead tags."""
 
-from core_models.schema.entries import ANY, POSITIVE, ZERO, Inert, Interval, Parameter
+from core_models.schema.entries import ANY, NOT_NEGATIVE, POSITIVE, Interval, Parameter, Switch
 
 CONSTANTS = (
     Parameter("density", "kg/m^3", POSITIVE, "mass density of the undeformed body"),
@@ -36,7 +36,13 @@ HEATED_FRACTION = Parameter(
     default=0.9,
 )
 
-EXPANSION = Inert("coeff_thermal_expansion", ZERO, "thermal expansion")
+EXPANSION_COEFFICIENT = Parameter(
+    "coeff_thermal_expansion",
+    "1/K",
+    NOT_NEGATIVE,
+    "coefficient of thermal expansion of the length",
+    default=0.0,
+)
 
 CYLINDER = (
     Parameter("bottom", "m", ANY, "centre of the lower end", size=3),
@@ -64,17 +70,22 @@ UNAVAILABLE_SHAPES = (
 
 DEAD_TAGS = ("toughness", "burn", "velocity_field", "C_p")
 
+DEAD_MODEL_TAGS = ("initial_material_temperature", "critical_stress")
+"""In the block of an update: said elsewhere too, or of a check that a switch turns off."""
+
+SWITCHES = (
+    Switch("isothermal", ("false",), "plasticity without heating by this tag (leave specific_heat out)"),
+    Switch("do_melting", ("true",), "strength above melting"),
+    Switch("compute_specific_heat", ("true",), "ignoring the <specific_heat_model>"),
+    Switch("evolve_porosity", ("false",), "porosity by this tag"),
+    Switch("evolve_damage", ("false",), "damage by this tag"),
+    Switch("check_TEPLA_failure_criterion", ("false",), "failure by the TEPLA criterion"),
+    Switch("check_max_stress_failure", ("false",), "failure by a largest stress"),
+    Switch("useModifiedEOS", ("false",), "a modified equation of state in tension"),
+    Switch("plastic_convergence_algo", ("radialReturn",), "any return but the radial one"),
+)
+
 UNAVAILABLE_TAGS = (
-    "do_melting",
-    "isothermal",
-    "evolve_porosity",
-    "check_TEPLA_failure_criterion",
-    "check_max_stress_failure",
-    "compute_specific_heat",
-    "initial_material_temperature",
-    "plastic_convergence_algo",
-    "useModifiedEOS",
-    "critical_stress",
     "deviatoric_stress_model",
     "visco_plasticity_model",
 )

@@ -3,11 +3,12 @@
 from core_models.columns import get_point, put_point
 from core_models.compilation import inside_kernel
 from core_models.dispatch import generic
-from core_models.laws import eroded_stress, evolve_hardening, flow_stress, pressure, stress_measure
+from core_models.laws import eroded_stress, evolve_hardening, flow_stress, stress_measure
 from core_models.rows import F0, F1, LENGTH, get, get_tensor
 from core_models.status import OK
 from core_models.tensors import determinant, inverse, mean, plus, plus_isotropic, scaled
-from core_models.updates.balance import complete_point, put_balance
+from core_models.updates.balance import cold_pressure, complete_point, put_balance
+from core_models.updates.conditions import flow_before
 from core_models.updates.elastoplastic import correct_rows, predict_rows
 from core_models.updates.prediction import NO_STRESS, Correction, get_correction, get_prediction
 from core_models.updates.tangent import direction, put_change, put_stress
@@ -85,17 +86,20 @@ def linearise_point(model, f0, f1, before, after, prediction, correction, over_d
     tau = scaled(after.stress, j)
     put_stress(stresses, place, tau, inverse_f)
     motion = kinematics(model.update, model, f0, f1, before, prediction)
-    modulus = hardening_modulus(model.flow, correction.increment, over_dt, before)
+    flow = flow_before(model, before, prediction.volume_ratio_0)
+    modulus = hardening_modulus(flow, correction.increment, over_dt, before)
     mean_stress = mean(after.stress)
     by_volume, by_work = pressure_slopes(model, prediction, before, after, mean_stress)
     measure = stress_measure(model.update, j)
     for number in range(9):
         towards = direction(number, inverse_f, j)
         trial = trial_change(model.update, motion, towards, prediction)
-        flow = return_change(prediction, correction, trial, modulus)
-        work = work_change(model.update, prediction, correction, trial, flow)
+        returned = return_change(prediction, correction, trial, modulus)
+        work = work_change(model.update, prediction, correction, trial, returned)
         mean_change = by_volume * towards.volume_ratio + by_work * work
-        share = measure_change(model.update, towards.volume_ratio) * correction.factor + measure * flow.factor
+        share = (
+            measure_change(model.update, towards.volume_ratio) * correction.factor + measure * returned.factor
+        )
         change = plus(scaled(trial.trial, measure * correction.factor), scaled(prediction.trial, share))
         change = plus_isotropic(change, j * mean_change + towards.volume_ratio * mean_stress)
         put_change(tangents, place, number, change, tau, towards, inverse_f)
@@ -121,10 +125,13 @@ def pressure_slopes(model, prediction, before, after, mean_stress):
     p = p(J, e) with e = e_0 + w + (p_0 + p) (J - J_0) / 2, see `advance_pressure` (core_models.updates.balance).
     """
     change = prediction.volume_ratio_1 - prediction.volume_ratio_0
-    bare, slope, by_energy = pressure(model.eos, prediction.volume_ratio_1, after.internal_energy)
-    kept = eroded_stress(model.erosion, before.damage, NO_STRESS, bare)[1]
-    if kept != bare:
+    bare, slope, by_energy = cold_pressure(
+        model, prediction.volume_ratio_1, before.temperature, after.internal_energy
+    )
+    sign = 1.0 if bare > 0.0 else -1.0
+    share = sign * eroded_stress(model.erosion, before.damage, NO_STRESS, sign)[1]
+    if share == 0.0:
         return 0.0, 0.0
     over = 1.0 / (1.0 - 0.5 * by_energy * change)
-    by_volume = slope + 0.5 * by_energy * (mean(before.stress) + mean_stress)
-    return by_volume * over, by_energy * over
+    by_volume = slope + 0.5 * by_energy * (mean(before.stress) + mean_stress / share)
+    return by_volume * over * share, by_energy * over * share

@@ -2,8 +2,8 @@
 
 from typing import NamedTuple
 
-from core_models.laws import elastic_moduli
 from core_models.tensors import THIRD, contract, deviator, plus, plus_isotropic, scaled, trace
+from core_models.updates.conditions import shear_before
 from core_models.updates.elastoplastic_tangent import (
     kinematics,
     linearise_elastoplastic,
@@ -30,7 +30,7 @@ linearise_rows.register(HyperelasticPlastic)(linearise_elastoplastic)
 
 @kinematics.register(HyperelasticPlastic)
 def _(update, material, f0, f1, point, prediction):
-    shear = elastic_moduli(material.elasticity)[1]
+    shear = shear_before(material, point, prediction.volume_ratio_0)
     elastic = scaled(plus_isotropic(prediction.trial, THIRD * prediction.shear_3), 1.0 / shear)
     return IsochoricMotion(elastic, shear)
 

@@ -1,4 +1,4 @@
-"""Hypoelastic-plastic stress update: rotated form with the Green-Naghdi rate."""
+"""Hypoelastic-plastic stress update: rotated form with the Green-Naghdi rate, or another that a material asks for."""
 
 from typing import NamedTuple
 
@@ -20,15 +20,13 @@ from core_models.tensors import (
     determinant,
     deviator,
     equivalent_stress,
-    minus,
     plus,
     product_transposed,
     scaled,
-    symmetric_inverse,
     symmetric_part,
-    symmetric_part_of_product,
 )
 from core_models.updates.conditions import shear_before
+from core_models.updates.corotation import corotated
 from core_models.updates.elastoplastic import advance_elastoplastic
 from core_models.updates.prediction import NO_PREDICTION, Prediction
 
@@ -46,6 +44,7 @@ class HypoelasticPlastic(NamedTuple):
     ----------
     tolerance : relative tolerance of the consistency condition [-], in (0, 1e-3].
 
+    With another objective rate (core_models.objective_rate) the stress turns further or less than by Q.
     R is updated incrementally (core_models.rotation), and V = F R^T. Objective to round-off for any rotation in a step.
     Source: Flanagan & Taylor (1987); Zocher et al., ECCOMAS (2000); the founding document, section 2.1.
     """
@@ -89,7 +88,7 @@ def unrotated(f0, f1, rotation):
 def elastic_trial(material, j0, j1, v0, u, q, point):
     """Prediction from the volume ratios, the stretches before and after, the rotation and the state before."""
     shear = shear_before(material, point, j0)
-    d = scaled(symmetric_part_of_product(minus(u, v0), symmetric_inverse(plus(u, v0))), 2.0)
+    d, q = corotated(material.objective_rate, v0, u, q)
     s0 = deviator(point.stress)
     trial = plus(s0, scaled(deviator(d), 2.0 * shear))
     return Prediction(

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from core_models.compilation import inside_kernel
 from core_models.dispatch import generic
-from core_models.tensors import product, product_transposed, scaled, symmetric_part
+from core_models.tensors import full, product, product_transposed, scaled, symmetric_part
 
 
 class Direction(NamedTuple):
@@ -53,12 +53,6 @@ def unit(number, component):
 def transported(relative, s):
     """Symmetric tensor l s + s l^T."""
     return scaled(symmetric_part(product(relative, full(s))), 2.0)
-
-
-@inside_kernel
-def full(s):
-    """A symmetric tensor as nine components."""
-    return (s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2])
 
 
 @inside_kernel

@@ -16,8 +16,7 @@ import numpy as np
 from core_models.compilation import CHUNK, inside_kernel, kernel
 from core_models.dispatch import generic
 from core_models.errors import RunFailure, SceneError
-from core_models.geometry import Axisymmetric, Geometry, PlaneStrain, Spatial
-from core_models.load_checks import AXES
+from core_models.geometry import AXES, Axisymmetric, Geometry, PlaneStrain, Spatial
 from core_models.threads import Threads
 from mpm.exchange import total
 from mpm.geometries import dimension_of
@@ -52,6 +51,14 @@ def extents(shape: ConvectedDomain, which: np.ndarray | slice = slice(None)) -> 
     d = shape.half_edges.shape[1]
     edges = np.einsum("nij,nkj->nki", shape.gradient[which, :d, :d], shape.half_edges[which])
     return 2.0 * np.abs(edges).sum(axis=1)
+
+
+def corner_gradients(shape: ConvectedDomain) -> tuple[np.ndarray, np.ndarray]:
+    """Offsets x_c - x_p (n, 2^d, d) [m] of the corners now, and 2^-d A^-T s_c (n, 2^d, d) [1/m]."""
+    d = shape.half_edges.shape[1]
+    edges = np.einsum("nij,nkj->nki", shape.gradient[:, :d, :d], shape.half_edges)
+    signs = np.stack(np.meshgrid(*[[-1.0, 1.0]] * d, indexing="ij"), axis=-1).reshape(-1, d)
+    return signs @ edges, np.einsum("nik,ck->nci", np.linalg.inv(edges), signs) / 2**d
 
 
 def check_seeding(shape: ConvectedDomain, cell_size: float) -> None:

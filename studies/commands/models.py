@@ -5,6 +5,7 @@ examples:
   matpoint models johnson_cook
   matpoint models MechanicalThreshold
   matpoint models ludwik --laws my_laws.py
+  matpoint models --compatibility
 """
 
 import argparse
@@ -13,15 +14,20 @@ import argparse
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Options of `matpoint models`."""
     parser.add_argument("name", metavar="NAME", nargs="?", help="a law's class name or its type in a card")
+    parser.add_argument("--compatibility", action="store_true", help="which laws fit together, and why not")
     parser.add_argument("--laws", metavar="FILE", help="Python file with laws of your own")
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Print the list or one law."""
+    """Print the list, one law or the table of what fits together."""
     from core_models import user_laws
+    from studies.compatibility_text import compatibility_text
     from studies.model_text import model_list, model_text
 
     if options.laws is not None:
         user_laws.load(options.laws)
-    print(model_list() if options.name is None else model_text(options.name))
+    if options.compatibility:
+        print(compatibility_text())
+    else:
+        print(model_list() if options.name is None else model_text(options.name))
     return 0

@@ -3,6 +3,8 @@
 examples:
   matpoint run taylor-classic --method fem-explicit --resolution 8 --wall plane
   matpoint run my_scene.xml --method mpm --out results/mine --search-root cards
+  matpoint run taylor-classic --resolution 100 --checkpoint-every 10min --out results/fine
+  matpoint run --resume results/fine
 
 The folder holds scene.xml, history.csv, frames/*.vtu with series.pvd (ParaView) and, last, run.json.
 Exit status: 0; 2 bad input; 3 the run went wrong.
@@ -18,18 +20,32 @@ from studies.options import add_method_options, add_scene_options, asked_scene
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Options of `matpoint run`."""
-    add_scene_options(parser)
+    add_scene_options(parser, optional=True)
     add_method_options(parser)
+    parser.add_argument(
+        "--checkpoint-every",
+        metavar="T",
+        help="60s, 10min, 2h or 500steps: what a kill can cost (default: 60s where the method can)",
+    )
+    parser.add_argument(
+        "--resume", metavar="DIR", help="go on with the run in this folder from its last checkpoint"
+    )
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run and print."""
+    """Run, or go on with a run, and print."""
+    if options.resume is not None:
+        return _resume(options)
+    if options.scene is None:
+        raise SceneError("name a scene (matpoint scenes lists those shipped), or a run with --resume DIR")
     scene = asked_scene(options)
     method, resolution = _one(options.methods, "method"), _one(options.resolution, "resolution")
+    from studies.checkpointing.interval import read_interval
     from studies.progress import can_show
     from studies.run_text import run_text
     from studies.running import run
 
+    every = options.checkpoint_every
     out = options.out or default_folder(scene.name)
     result = run(
         scene,
@@ -39,8 +55,30 @@ def execute(options: argparse.Namespace) -> int:
         threads=options.threads,
         out=out,
         progress=can_show(sys.stderr),
+        interval=None if every is None else read_interval(every),
     )
     print(f"{run_text(result)}\n\n{out}")
+    return 0
+
+
+def _resume(options: argparse.Namespace) -> int:
+    given = (options.scene, options.methods, options.resolution, options.wall, options.out)
+    if any(option is not None for option in given):
+        raise SceneError(
+            "--resume goes on with a run as it was started: leave scene, method, resolution, wall and --out away"
+        )
+    from studies.checkpointing.interval import read_interval
+    from studies.checkpointing.resuming import resume
+    from studies.progress import can_show
+    from studies.run_text import run_text
+
+    every = options.checkpoint_every
+    result = resume(
+        options.resume,
+        interval=None if every is None else read_interval(every),
+        progress=can_show(sys.stderr),
+    )
+    print(f"{run_text(result)}\n\n{options.resume}")
     return 0
 
 

@@ -39,11 +39,7 @@ def test_known_but_unavailable_model_says_so(refused, block, types):
         '<stability_check type="becker"/>',
         '<melting_temp_model type="linear_Tm"/>',
         '<specific_heat_model type="cubic_Cp"/>',
-        '<kinematic_hardening_model type="prager_hardening"/>',
-        '<kinematic_hardening_model type="armstrong_frederick_hardening"/>',
-        '<erosion algorithm="PreserveStress"/>',
-        '<erosion algorithm="ZeroStress"><char_time>1e-6</char_time></erosion>',
-        "<coeff_thermal_expansion>1e-5</coeff_thermal_expansion>",
+        '<erosion algorithm="RemoveMass"/>',
         "<evolve_porosity>true</evolve_porosity>",
     ],
 )
@@ -51,3 +47,32 @@ def test_known_but_unavailable_effect_says_so(refused, block):
     """An effect that would silently be missing is refused."""
     message = refused(UnsupportedError, 7, ("<tolerance>1e-10</tolerance>", block))
     assert "not available" in message
+
+
+def test_switches_of_old_decks_are_read_where_they_change_nothing(read_card):
+    """What they say is done here anyway; tags of decks that do nothing are told."""
+    switches = (
+        "<isothermal> false </isothermal><do_melting>true</do_melting><evolve_porosity>false</evolve_porosity>"
+        "<check_TEPLA_failure_criterion>false</check_TEPLA_failure_criterion>"
+        "<plastic_convergence_algo>radialReturn</plastic_convergence_algo>"
+        "<initial_material_temperature>696.0</initial_material_temperature><critical_stress>129e9</critical_stress>"
+    )
+    tolerance = "<tolerance>1e-10</tolerance>"
+    card = read_card((tolerance, tolerance + switches))
+    assert card.material == read_card().material
+    assert {"initial_material_temperature", "critical_stress"} <= {tag.tag for tag in card.unused}
+
+
+@pytest.mark.parametrize(
+    ("tag", "word", "remedy"),
+    [
+        ("isothermal", "true", "give false"),
+        ("do_melting", "false", "give true"),
+        ("check_TEPLA_failure_criterion", "maybe", "give false"),
+        ("plastic_convergence_algo", "biswajit", "give radialReturn"),
+    ],
+)
+def test_switches_that_would_change_something_are_refused(refused, tag, word, remedy):
+    """The message has the word, and the one that is possible."""
+    message = refused(UnsupportedError, 7, ("<tolerance>1e-10</tolerance>", f"<{tag}>{word}</{tag}>"))
+    assert f"'{word}'" in message and remedy in message

@@ -7,7 +7,7 @@ Blocks marked so are those of the material files of Uintah (its repository at co
 import pytest
 from lxml import etree
 
-from core_models.cards import material_element, parse_material
+from core_models.cards import material_element, parse_material, read_material, shipped_materials
 from core_models.cards.models import read_law
 from core_models.damage.hancock_mackenzie import HancockMackenzieDamage
 from core_models.damage.sandia import SandiaDamage
@@ -285,3 +285,37 @@ def test_law_with_a_fault_cannot_be_written(read_card):
     object.__setattr__(material, "flow", TabulatedHardening((0.0, 0.2, 0.1), (1e8, 2e8, 3e8)))
     with pytest.raises(MaterialError, match="must begin with 0 and rise"):
         material_element(material)
+
+
+# SCG_Tantalum.xml, with moduli and without its comments; it prints A in 1/Mbar under the heading 1/Pa
+TANTALUM = """<material name="tantalum"><density> 16690.0 </density> <thermal_conductivity> 57.5 </thermal_conductivity>
+<specific_heat> 135.0 </specific_heat> <room_temp> 298.0 </room_temp> <melt_temp> 4340.0 </melt_temp>
+<constitutive_model type="elastic_plastic"> <bulk_modulus>194e9</bulk_modulus><shear_modulus>69e9</shear_modulus>
+<flow_model type="steinberg_cochran_guinan"> <mu_0> 69.0e9 </mu_0> <sigma_0> 0.77e9 </sigma_0> <Y_max> 1.10e9 </Y_max>
+<beta> 22 </beta> <n> 0.283 </n> <A> 1.45 </A> <B> 1.30e-4 </B> <T_m0> 4340.0 </T_m0> <Gamma_0> 1.67 </Gamma_0>
+<a> 1.3 </a> <epsilon_p0> 0.0 </epsilon_p0> </flow_model>
+<shear_modulus_model type="scg_shear"> <mu_0> 69.0e9 </mu_0> <A> 1.45 </A> <B> 1.30e-4 </B> </shear_modulus_model>
+<melting_temp_model type="scg_Tm"> <T_m0> 4340.0 </T_m0> <Gamma_0> 1.67 </Gamma_0> <a> 1.3 </a> </melting_temp_model>
+<equation_of_state type="mie_gruneisen"> <C_0> 3410.0 </C_0> <Gamma_0> 1.67 </Gamma_0> <S_alpha> 1.20 </S_alpha>
+<S_2> 0.0 </S_2> <S_3> 0.0 </S_3> </equation_of_state>
+<initial_material_temperature> 298.0 </initial_material_temperature> </constitutive_model></material>"""
+
+
+def test_a_whole_material_of_the_other_code_is_read_and_its_unit_slip_refused():
+    """With A in 1/Pa it is the tantalum that ships, but for heating; as printed it is refused with the factor."""
+    shipped = read_material(shipped_materials()["tantalum_steinberg_cochran_guinan"]).material
+    read = parse_material(etree.fromstring(TANTALUM.replace("<A> 1.45 </A>", "<A> 1.45e-11 </A>"))).material
+    for slot in ("flow", "shear_modulus", "melting", "yield_condition", "heating"):
+        assert getattr(read, slot) == getattr(shipped, slot)
+    with pytest.raises(
+        CardError, match=r"<A> is 1.45 1/Pa, out of its range; give a value >= 0 and <= 1e-09"
+    ):
+        parse_material(etree.fromstring(TANTALUM))
+
+
+def test_fragments_that_lost_their_block_are_told_where_they_belong():
+    """JohnsonCookDamageAnnCopper.xml and HancockDamETPCu.xml hold bare tags: the message names the block."""
+    for tag, block in (("D1", "johnson_cook"), ("initial_mean_scalar_damage", "hancock_mackenzie")):
+        card = etree.fromstring(TANTALUM.replace("<density>", f"<{tag}>0.54</{tag}><density>", 1))
+        with pytest.raises(CardError, match=f'it belongs into a <damage_model type="{block}">'):
+            parse_material(card)

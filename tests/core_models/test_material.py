@@ -26,8 +26,8 @@ HOT_FLOW = JohnsonCook(89.6e6, 292e6, 0.025, 0.31, 1.09, 1.0, 294.0, 1356.0)
 SENSELESS = {
     "no density": ({"density": 0.0}, "density must be positive"),
     "density that is no number": ({"density": float("nan")}, "density must be positive"),
-    "negative modulus": ({"elasticity": IsotropicElastic(-1e9, 45e9)}, "must be positive"),
-    "no shear modulus": ({"elasticity": IsotropicElastic(136e9, 0.0)}, "must be positive"),
+    "negative modulus": ({"elasticity": IsotropicElastic(-1e9, 45e9)}, "bulk_modulus = -1000000000.0 Pa"),
+    "no shear modulus": ({"elasticity": IsotropicElastic(136e9, 0.0)}, "shear_modulus = 0.0 Pa"),
     "hyperelastic without stored energy": (
         {"eos": DefaultHypoelastic(136e9)},
         "take neo_hookean or mie_gruneisen",
@@ -52,14 +52,14 @@ SENSELESS = {
     ),
     "erosion without damage": ({"erosion": ZeroStress()}, "add a damage law"),
     "melting below room temperature": ({"melting": ConstantMelting(250.0)}, "must lie above room_temp"),
-    "flow law that melts before it softens": ({"flow": HOT_FLOW._replace(T_m=200.0)}, "must lie above T_r"),
-    "damage law that melts before it softens": ({"damage": DAMAGE._replace(T_m=294.0)}, "must lie above T_r"),
+    "flow law that melts before it softens": ({"flow": HOT_FLOW._replace(T_m=200.0)}, "is not above T_r"),
+    "damage law that melts before it softens": ({"damage": DAMAGE._replace(T_m=294.0)}, "is not above T_r"),
     "strength beyond melting": ({"flow": HOT_FLOW, "melting": ConstantMelting(1000.0)}, "melt first"),
     "strength above the shear modulus": (
         {"flow": Perfect(50e9)},
         "between 0 and the shear modulus",
     ),
-    "negative strength": ({"flow": Perfect(-1e6)}, "between 0 and the shear modulus"),
+    "negative strength": ({"flow": Perfect(-1e6)}, "yield_stress = -1000000.0 Pa is out of its range"),
     "slot without laws yet": ({"stability": VonMises()}, "takes no law yet"),
     "no equation of state": ({"eos": None}, "needs a law in the slot eos"),
     "no elasticity": ({"elasticity": None}, "needs a law in the slot elasticity"),
@@ -146,6 +146,8 @@ def test_effects_are_listed_with_reasons(copper, hot_copper):
         "variable shear modulus",
         "strength under pressure",
         "loss of stability",
+        "heat of volume change",
+        "thermal expansion",
     }
     assert not any(effect.on for effect in bare.values())
     assert all(effect.reason for effect in (*full.values(), *bare.values()))

@@ -18,6 +18,7 @@ NAMES = {
     "copper_ofhc_steinberg_cochran_guinan",
     "copper_ofhc_zerilli_armstrong",
     "iron_armco_johnson_cook",
+    "solder_60sn40pb_anand",
     "steel_42crmo4_johnson_cook",
     "steel_4340_johnson_cook",
     "steel_hy100_johnson_cook",
@@ -28,7 +29,7 @@ NAMES = {
     "tungsten_steinberg_cochran_guinan",
 }
 FOUNDING = {"copper_hyperelastic_mts", "copper_hypoelastic_johnson_cook"}  # kept as their document has them
-SOURCE = re.compile(r"Uintah|DynELA|Karamelo|J\. Appl\. Phys\.|The same")
+SOURCE = re.compile(r"Uintah|DynELA|Karamelo|J\. Appl\. Phys\.|J\. Electron\. Packag\.|The same")
 
 
 def material(name):
@@ -37,7 +38,7 @@ def material(name):
 
 
 def test_metals_are_there():
-    """Annealed, OFHC and ETP copper, 4340, HY100, 42CrMo4 and Weldox steel, Armco iron, 6061-T6, tantalum, tungsten."""
+    """Copper (annealed, OFHC, ETP), steel (4340, HY100, 42CrMo4, Weldox), Armco iron, 6061-T6, Ta, W, solder."""
     assert set(shipped_materials()) >= NAMES
 
 

@@ -106,6 +106,30 @@ def test_equal_pressure_all_round_moves_nothing_off(body):
     assert solver.ledger.damping > 0.0
 
 
+@pytest.mark.parametrize(
+    ("interpolation", "heights"),
+    [("quadratic", (4.25, 4.251, 4.6, 4.9)), ("cubic", (4.75, 4.8)), ("gimp", (4.501,)), ("cpdi", (4.501,))],
+)
+def test_a_loaded_surface_may_lie_anywhere_in_its_cells(body, elastic, interpolation, heights):
+    """At rest under a traction, no particle is stressed much more than the rest, however few share the last nodes."""
+    p, modulus = 1e7, elastic.elasticity.bulk_modulus + 4.0 / 3.0 * elastic.elasticity.shear_modulus
+    for cells in heights:
+        height = 4.0 * CELL
+        slowest = 0.5 * np.pi * np.sqrt(modulus / elastic.density) / height
+        solver = body(
+            counts=(4, 4),
+            cell_size=height / cells,
+            interpolation=interpolation,
+            loads=(Symmetry("left"), Symmetry("bottom"), Traction("top", (0.0, -p)), Damping(1.5 * slowest)),
+        )
+        while solver.time < 25.0 / slowest:
+            solver.advance()
+        stress = solver.points.old.stress[:, 1]
+        assert np.abs(stress / p + 1.0).max() < 0.25, cells
+        assert stress.mean() == pytest.approx(-p, rel=1e-3), cells
+        assert solver.boundary_force("bottom")[1] == pytest.approx(p * height, rel=1e-3)
+
+
 def test_damping_slows_a_flying_body_exponentially(body):
     """v = v0 exp(-rate t), and the ledger says where the energy went."""
     rate, v = 2e5, 100.0

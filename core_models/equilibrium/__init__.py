@@ -1,0 +1,1 @@
+"""Quasi-static equilibrium of any discretised body: Newton's method, increments, linear solvers, convergence log."""

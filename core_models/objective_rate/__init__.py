@@ -1,0 +1,1 @@
+"""Objective rates of the hypoelastic update other than that of Green and Naghdi."""

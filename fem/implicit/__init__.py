@@ -1,0 +1,1 @@
+"""Implicit quasi-static finite elements."""

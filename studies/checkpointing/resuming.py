@@ -1,0 +1,43 @@
+"""Going on with a run that was killed, interrupted, or ran out of disk."""
+
+from dataclasses import replace
+from pathlib import Path
+
+from core_models.errors import OutputError
+from studies.checkpointing.checkpoint_file import read_checkpoint
+from studies.checkpointing.interval import Interval, read_interval
+from studies.output_folder import ResumedFolder
+from studies.run_result import RunResult
+from studies.running import simulate
+from studies.scene_reader import read_scene
+
+
+def resume(
+    path: Path | str, *, threads: int | None = None, interval: Interval | None = None, progress: bool = False
+) -> RunResult:
+    """Go on with the run in a folder from its last checkpoint; the results are bitwise those of a run left alone.
+
+    threads, interval : others than the run was started with, if given.
+    Raises OutputError for a folder without a run to go on with, or that another process is writing to; RunFailure
+    when the run goes wrong.
+    """
+    with ResumedFolder(path) as folder:
+        if (folder.path / "run.json").exists() and not (folder.path / "checkpoint.npz").exists():
+            raise OutputError(f"{path}: the run there has ended; nothing is left to resume")
+        saved = read_checkpoint(folder.path)
+        settings = saved.settings
+        saved = replace(saved, spent=replace(saved.spent, resumed=saved.spent.resumed + 1))
+        result = simulate(
+            read_scene(folder.path / "scene.xml"),
+            settings.method,
+            settings.resolution,
+            wall=settings.wall,
+            threads=threads or settings.threads,
+            folder=folder,
+            progress=progress,
+            interval=interval or read_interval(settings.interval),
+            saved=saved,
+        )
+    if result.failure is not None:
+        raise result.failure
+    return result
