@@ -85,9 +85,13 @@ def run(quick: bool) -> Outcome:
                     100.0 * off, -100.0 * TOLERANCE, 100.0 * TOLERANCE, "% outside the published range",
                 )
             )  # fmt: skip
-    outcome.criteria += [
-        Criterion(f"rise, {each.variant.label}", None, high=0.0, reason=each.reason) for each in refused
-    ]
+    for each in refused:
+        if each.variant in right:
+            outcome.criteria.append(
+                Criterion(f"rise, {each.variant.label}", None, high=0.0, reason=each.reason)
+            )
+        else:
+            outcome.remarks.append(f"{each.variant.label} did not get to the end: {each.reason}.")
     rows = tuple((label, *(1e3 * value for value in values)) for label, values in done.items())
     head = ("variant", *(f"{count} × {count}" for count in counts))
     note = (

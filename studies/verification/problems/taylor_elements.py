@@ -33,10 +33,12 @@ def run(quick: bool) -> Outcome:
         outcome.criteria += [
             each for v in right if v.label in done for each in _right(v, done[v.label], _across(v, across))
         ]
-        outcome.criteria += [
-            Criterion(f"bar, {each.variant.label}", None, high=0.0, unit="%", reason=each.reason)
-            for each in refused
-        ]
+        for each in refused:
+            if each.variant in right:
+                what = f"bar, {each.variant.label}"
+                outcome.criteria.append(Criterion(what, None, high=0.0, unit="%", reason=each.reason))
+            else:
+                outcome.remarks.append(f"{each.variant.label} did not get to the end: {each.reason}.")
         outcome.remarks += [_locked(v, done[v.label]) for v in locked if v.label in done]
     head = (
         "variant",
