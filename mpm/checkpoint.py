@@ -17,7 +17,7 @@ from core_models.checkpoint import (
 
 VALUES = (
     "positions", "velocities", "affine", "volume_ratio", "time", "time_step", "step_count", "point_updates",
-    "_last_step", "_first_step", "_kinetic", "wall_impulse", "wall_force",
+    "_last_step", "_first_step", "_kinetic", "_stress_power", "_ahead", "wall_impulse", "wall_force",
 )  # fmt: skip
 CONDUCTION = ("gradients", "limit")
 

@@ -39,6 +39,7 @@ from mpm.motion import AFTER, BEFORE, advect
 from mpm.musl import MUSL, USL, Remap, check_update
 from mpm.particles import GAUSS, rim_faces
 from mpm.reference_contact import ReferenceContact
+from mpm.stress_power import StressPower
 from mpm.supports import Hold, Supports
 from mpm.surface import Surface
 from mpm.to_particles import ENERGY, SPEED
@@ -160,7 +161,8 @@ class Solver(Restartable, Body):
         self.time, self.step_count, self.point_updates, self._last_step = 0.0, 0, 0, 0.0
         self.initial_momentum = self.momentum
         self.wall_impulse, self.wall_force = 0.0, 0.0
-        self._kinetic = self._particle_energy()
+        self._kinetic, self._stress_power, self._ahead = self._particle_energy(), 0.0, 0.0
+        self._powers = StressPower(self.points)
         stored, dissipated = self.stored_energy, self.plastic_energy
         self.ledger = EnergyLedger(
             self._kinetic + stored + dissipated, self._kinetic, stored, plastic=dissipated
@@ -234,9 +236,9 @@ class Solver(Restartable, Body):
             points.deformation_gradient, self._moves, self._new_velocities, self.volume_ratio,
         )  # fmt: skip
         moves = self._new_velocities if self._moves is None else self._moves
-        external = dt * self._forces.power(moves)
+        found, power = self._forces.power_before(self.velocities), self._forces.power(moves)
         damped = background.damped_energy(keep) if self._damping else 0.0
-        lost = 0.0 if self._remap is None else self._deform_again(dt, external)
+        lost = 0.0 if self._remap is None else self._deform_again(dt, dt * power)
         if self._cure is not None:
             self._cure.average_ratios(
                 background, self._places, points.deformation_gradient, self.volume_ratio
@@ -249,16 +251,17 @@ class Solver(Restartable, Body):
         background.convect(points.old_deformation_gradient)
         self.threads.run(advect, -(-points.n // CHUNK), dt, moves, self.positions)
         self.velocities, self._new_velocities = self._new_velocities, self.velocities
-        self._keep_books(work, external, damped, lost, hold, push, sums, kick)
+        self._keep_books(work, found, power, damped, lost, hold, push, sums, dt)
 
     def _constrain(self, dt: float) -> tuple[Hold, Push]:
         """Change the grid's velocity after the forces to what supports, wall and symmetry planes allow."""
         background = self._background
-        self._agreement.check(self.time + 0.5 * dt)
+        middle = self.time + 0.5 * dt
+        self._agreement.check(middle)
+        earlier = self.time - 0.5 * self._last_step if self.step_count else middle
         hold = self._supports.impose(
-            background, self.time + 0.5 * dt, self.positions, self.points.old_deformation_gradient,
-            self._last_step == 0.0,
-        )  # fmt: skip
+            background, earlier, middle, self.positions, self.points.old_deformation_gradient
+        )
         push = Push() if self._contact is None else self._contact.meet(background, dt)
         background.reflect(background.grid.after, VELOCITY)
         return hold, push
@@ -299,28 +302,41 @@ class Solver(Restartable, Body):
     def _keep_books(
         self,
         work: Work,
-        external: float,
+        found: float,
+        power: float,
         damped: float,
         lost: float,
         hold: Hold,
         push: Push,
         sums: np.ndarray,
-        kick: float,
+        dt: float,
     ) -> None:
-        """Enter a step that worked in the ledger."""
-        ledger = self.ledger
-        on_grid = self._background.energies.sum(axis=0)
+        """Enter a step that worked in the ledger; found, power : of the loads on the velocities before and after [W].
+
+        A force acts for half the last step on the velocities that it finds, and for half of this one on those after.
+        """
+        ledger, background = self.ledger, self._background
+        kick = 0.5 * (self._last_step + dt)
+        on_grid = background.energies.sum(axis=0)
         kinetic = float(sums[:, ENERGY].sum())
+        resisted = found - background.power_before()
+        starts = self.step_count == 0
+        if starts:
+            # Velocities start at t = 0, not half a step before: what the first forces do to them is half their work.
+            ledger.initial -= 0.25 * dt * (background.power() - background.power_before())
         ledger.transfer += (
             lost
+            + (0.0 if starts else hold.lost)
             + (self._kinetic - float(on_grid[BEFORE]))
             + (float(on_grid[AFTER]) + hold.energy + push.energy - kinetic)
+            + 0.5 * self._last_step * (resisted - self._stress_power)
         )
-        self._kinetic = kinetic
-        # Velocities have had the whole step's force but belong to its middle: half a step's work brings both together.
-        ledger.kinetic = kinetic - 0.5 * (work.stress + work.viscous - external - hold.work)
-        ledger.external += external + hold.work
-        ledger.contact += hold.lost - push.work
+        self._kinetic, self._stress_power = kinetic, self._powers.over(dt)
+        # Velocities belong to the middle of the step: half a step's work of all forces leads to its end.
+        before, self._ahead = self._ahead, 0.5 * dt * (power + (0.0 if starts else hold.later / kick))
+        ledger.kinetic = kinetic + self._ahead - 0.5 * dt * self._stress_power
+        ledger.external += 0.5 * (self._last_step * found + dt * power) + hold.work + self._ahead - before
+        ledger.contact += (hold.lost if starts else 0.0) - push.work
         ledger.friction -= push.rubbed
         ledger.damping += damped
         ledger.plastic += work.plastic

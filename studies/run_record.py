@@ -27,7 +27,9 @@ def run_entry(result: RunResult) -> dict:
         "cost": asdict(result.cost),
         "conservation": result.conservation,
         "energies": result.energies,
-        "effects": [effect_entry(effect) for effect in scene_effects(result.scene, result.wall)],
+        "effects": [
+            effect_entry(effect) for effect in scene_effects(result.scene, result.wall, (result.method,))
+        ],
     }
 
 
