@@ -338,3 +338,23 @@ def complete(update, material, prediction, correction, point):
 @generic
 def stress_measure(update, volume_ratio):
     """Reference volumes per unit of volume of the update's stress measure: 1 for Kirchhoff, J for Cauchy."""
+
+
+@generic
+def back_stress_count(kinematic_hardening):
+    """How many back stresses a law of kinematic hardening sums up."""
+
+
+@back_stress_count.register(type(None))
+def _(kinematic_hardening):
+    return 0
+
+
+@back_stress_count.otherwise
+def _(kinematic_hardening):
+    return 1
+
+
+@generic
+def back_stress_constants(kinematic_hardening, term):
+    """Modulus C [Pa] and recovery gamma [-] of a back stress: d alpha = 2/3 C d e_p - gamma alpha d ep."""

@@ -26,6 +26,10 @@ from core_models.flow.voce import Voce
 from core_models.flow.zerilli_armstrong import ZerilliArmstrong
 from core_models.heating.isentropic import IsentropicHeating
 from core_models.heating.taylor_quinney import TaylorQuinney
+from core_models.kinematic_hardening.armstrong_frederick import ArmstrongFrederick
+from core_models.kinematic_hardening.chaboche import Chaboche
+from core_models.kinematic_hardening.prager import Prager
+from core_models.kinematic_hardening.ziegler import Ziegler
 from core_models.melting.burakovsky_preston_silbar import BurakovskyMelting
 from core_models.melting.constant import ConstantMelting
 from core_models.melting.steinberg_cochran_guinan import SteinbergMelting
@@ -42,6 +46,8 @@ from core_models.specific_heat.steel import SteelSpecificHeat
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.yield_condition.drucker_prager import DruckerPrager
+from core_models.yield_condition.mohr_coulomb import MohrCoulomb
 from core_models.yield_condition.von_mises import VonMises
 
 DENSITY, BULK, SHEAR = 8930.0, 136.35e9, 45.45e9
@@ -73,7 +79,13 @@ SAMPLES = {
         _shipped("copper_ofhc_preston_tonks_wallace"),
         Anand(56.33e6, 10830.0, 1.49e7, 11.0, 0.303, 2640.75e6, 80.415e6, 0.0231, 1.34),
     ],
-    "yield_condition": [VonMises()],
+    "yield_condition": [VonMises(), DruckerPrager(0.2, 0.1), MohrCoulomb(30.0, 10.0)],
+    "kinematic_hardening": [
+        Prager(1e9),
+        Ziegler(1e9),
+        ArmstrongFrederick(40e9, 400.0),
+        Chaboche((40e9, 1e9), (400.0, 0.0)),
+    ],
     "shear_modulus": [
         ConstantShearModulus(SHEAR),
         VarshniShearModulus(47.7e9, 3e9, 180.0),
