@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from core_models.laws import under_pressure
+from core_models.laws import under_pressure, volume_warming
 
 NOT_OFFERED = "the card gives none, and none is offered yet"
 
@@ -23,7 +23,7 @@ def material_effects(m) -> list[Effect]:
     pressed = m.flow if type(m.flow) in under_pressure.implementations else None
     return [
         _effect("plasticity", m.flow, "the card has no flow law"),
-        _effect("kinematic hardening", m.kinematic_hardening, NOT_OFFERED),
+        _effect("kinematic hardening", m.kinematic_hardening, "the card has no kinematic_hardening_model"),
         _effect(
             "variable shear modulus",
             m.shear_modulus,
@@ -35,6 +35,12 @@ def material_effects(m) -> list[Effect]:
             f"{type(volumetric).__name__} does not depend on the energy",
         ),
         Effect("plastic heating", m.heating is not None, _heating_reason(m)),
+        _effect(
+            "heat of volume change",
+            m.heating if type(m.heating) in volume_warming.implementations else None,
+            "the card asks for no isentropic heating",
+        ),
+        _effect("thermal expansion", m.expansion, "the card gives no coefficient of thermal expansion"),
         _effect("thermal softening", softening, "the flow law does not depend on the temperature"),
         _effect("strength under pressure", pressed, "the flow law does not depend on density and pressure"),
         _effect("melting", m.melting, "the card gives neither melt_temp nor melting_temp_model"),

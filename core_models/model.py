@@ -13,9 +13,11 @@ class Model(NamedTuple):
     eos: tuple
     flow: tuple | None
     yield_condition: tuple | None
+    kinematic_hardening: tuple | None
     damage: tuple | None
     shear_modulus: tuple | None
     melting: tuple | None
     specific_heat: tuple | None
     heating: tuple | None
+    expansion: tuple | None
     erosion: tuple | None

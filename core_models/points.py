@@ -8,7 +8,7 @@ from core_models.bulk_viscosity import BulkViscosity
 from core_models.compilation import CHUNK
 from core_models.errors import RunFailure, UnsupportedError
 from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points
-from core_models.laws import elastic_moduli, pressure
+from core_models.laws import back_stress_count, elastic_moduli, pressure, thermal_volume
 from core_models.material import Material
 from core_models.rows import make_workspace
 from core_models.state import State
@@ -27,6 +27,9 @@ UNITS = {
     "temperature": "K",
     "damage": "1",
     "internal_energy": "J/m^3",
+    "plastic_volume": "1",
+    "porosity": "1",
+    "back_stress": "Pa",
 }
 
 
@@ -186,7 +189,7 @@ class MaterialPoints:
 
 
 def initial_state(material: Material, n: int, temperature: float, conduction: bool = False) -> State:
-    """State of n stress-free points at a temperature [K], with arrays only for what material or conduction need."""
+    """State of n undeformed points at a temperature [K], with arrays only for what material or conduction need."""
 
     def scalar(needed: bool, value: float = 0.0) -> np.ndarray | None:
         return np.full(n, value) if needed else None
@@ -194,8 +197,12 @@ def initial_state(material: Material, n: int, temperature: float, conduction: bo
     hypo = isinstance(material.update, HypoelasticPlastic)
     hyper = isinstance(material.update, HyperelasticPlastic)
     variable = getattr(material.flow, "hardening_variable", None)
+    voids = getattr(material.damage, "porosity_at_start", None)
+    terms = back_stress_count(material.kinematic_hardening)
+    stress = np.zeros((n, 6))
+    stress[:, :3] = thermal_stress(material, temperature)
     return State(
-        stress=np.zeros((n, 6)),
+        stress=stress,
         rotation=np.zeros((n, 3)) if hypo else None,
         elastic_left_cauchy_green=np.tile([1.0, 1.0, 1.0, 0.0, 0.0, 0.0], (n, 1)) if hyper else None,
         equivalent_plastic_strain=scalar(material.flow is not None),
@@ -203,7 +210,17 @@ def initial_state(material: Material, n: int, temperature: float, conduction: bo
         temperature=scalar(material.needs_temperature or conduction, temperature),
         damage=scalar(material.damage is not None),
         internal_energy=scalar(material.uses("uses_energy")),
+        plastic_volume=scalar(getattr(material.yield_condition, "has_plastic_volume", False)),
+        porosity=scalar(voids is not None, voids or 0.0),
+        back_stress=np.zeros((n, 6 * terms)) if terms else None,
     )
+
+
+def thermal_stress(material: Material, temperature: float) -> float:
+    """Mean stress [Pa] of the undeformed body at a temperature [K]: not zero only with thermal expansion."""
+    if material.expansion is None:
+        return 0.0
+    return pressure(material.eos, 1.0 / thermal_volume(material.expansion, temperature), 0.0)[0]
 
 
 def initial_wave_speed(material: Material) -> float:

@@ -13,6 +13,7 @@ from studies.checkpointing.checkpoints import Checkpoints
 from studies.checkpointing.interval import USUAL, Interval, interval_text
 from studies.contact_watch import ContactWatch
 from studies.costs import Cost, measured
+from studies.deadline import Deadline
 from studies.ending import Ending
 from studies.frames import Frames, cell_data
 from studies.history import ENERGIES, History
@@ -72,10 +73,11 @@ def simulate(
     progress: bool = False,
     interval: Interval | None = None,
     saved: Saved | None = None,
+    within: float | None = None,
 ) -> RunResult:
     """Like `run`, into a folder that is already ours; a run that goes wrong is recorded, not raised.
 
-    saved: the checkpoint to go on from (default: from the start).
+    saved: the checkpoint to go on from (default: from the start); within: seconds after which the run has failed.
     """
     wall = check_wall(wall or scene.wall)
     with measured() as cost:
@@ -86,6 +88,8 @@ def simulate(
         contact, history = ContactWatch(), History(folder, scene.end.limit(wall))
         ending = Ending(scene, wall, contact)
         observers: list[Observer] = [contact]
+        if within is not None:
+            observers.append(Deadline(within))
         if progress:
             observers.append(Progress(f"{method} {resolution}", ending))
         if folder is not None:

@@ -11,9 +11,11 @@ from core_models.cards.origins import origin, refusal
 from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.neo_hookean import NeoHookean
+from core_models.expansion.isotropic import IsotropicExpansion
 from core_models.heating.taylor_quinney import TaylorQuinney
+from core_models.material import Material
 from core_models.melting.constant import ConstantMelting
-from core_models.schema import HEATED_FRACTION, SLOTS, UPDATE
+from core_models.schema import EXPANSION_COEFFICIENT, HEATED_FRACTION, SLOTS, UPDATE
 from core_models.specific_heat.constant import ConstantSpecificHeat
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
@@ -44,6 +46,7 @@ def assembled_laws(blocks: Blocks, update: tuple, card: Numbers) -> dict[str, An
     if "yield_condition" not in fields and fields["flow"] is not None:
         fields["yield_condition"] = VonMises()
     fields["heating"] = _heating(blocks, fields)
+    fields["expansion"] = _expansion(blocks, fields)
     return fields
 
 
@@ -80,6 +83,19 @@ def _default_eos(blocks: Blocks, update: tuple, card: Numbers) -> tuple | None:
     law = DefaultHypoelastic if isinstance(update, HypoelasticPlastic) else NeoHookean
     log.info("%s: no <equation_of_state>: %s is used", origin(blocks.model), law.__name__)
     return law(card["bulk_modulus"])
+
+
+def _expansion(blocks: Blocks, fields: Mapping[str, Any]) -> tuple | None:
+    """The expansion that the card states in a block, or by a plain coefficient from room temperature."""
+    plain = blocks.inner.get(EXPANSION_COEFFICIENT.tag)
+    if plain is not None and "expansion" in fields:
+        raise refusal(plain, f"<{plain.tag}> stands beside a <thermal_expansion>", "delete one of them")
+    coefficient = read_numbers(blocks.model, (EXPANSION_COEFFICIENT,), blocks.inner, {})[
+        EXPANSION_COEFFICIENT.tag
+    ]
+    if coefficient == 0.0:
+        return fields.get("expansion")
+    return IsotropicExpansion(coefficient, fields.get("room_temperature", Material.room_temperature))
 
 
 def _heating(blocks: Blocks, fields: Mapping[str, Any]) -> TaylorQuinney | None:

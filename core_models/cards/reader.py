@@ -12,7 +12,7 @@ from core_models.cards.blocks import check_attributes, named_children, names_of
 from core_models.cards.bodies import Cylinder, read_body
 from core_models.cards.includes import load_document
 from core_models.cards.models import check_ascending, chosen_model, read_numbers
-from core_models.cards.numbers import check_inert, check_switch
+from core_models.cards.numbers import check_switch
 from core_models.cards.origins import origin, refusal
 from core_models.errors import MaterialError
 from core_models.material import Material
@@ -21,7 +21,7 @@ from core_models.schema import (
     DEAD_MODEL_TAGS,
     DEAD_TAGS,
     ELASTICITY,
-    EXPANSION,
+    EXPANSION_COEFFICIENT,
     HEATED_FRACTION,
     SLOTS,
     SWITCHES,
@@ -109,7 +109,7 @@ def _outer_names() -> dict[str, str]:
 
 def _inner_names(update: ModelSchema) -> dict[str, str]:
     """Every tag that may stand in the block of an update, mapped to its canonical name."""
-    numbers = (*ELASTICITY, *update.parameters, HEATED_FRACTION, EXPANSION, *SWITCHES)
+    numbers = (*ELASTICITY, *update.parameters, HEATED_FRACTION, EXPANSION_COEFFICIENT, *SWITCHES)
     return names_of(numbers) | {tag: tag for tag in DEAD_MODEL_TAGS} | _slot_names(MODEL_TAG)
 
 
@@ -131,8 +131,6 @@ def _material(blocks: Blocks, name: str) -> Material:
     update = chosen_model(blocks.model, UPDATE)
     constants = read_numbers(blocks.element, CONSTANTS, blocks.outer, {})
     check_ascending(blocks.element, (("room_temp", "melt_temp"),), constants, blocks.outer)
-    if EXPANSION.tag in blocks.inner:
-        check_inert(blocks.inner[EXPANSION.tag], EXPANSION)
     for switch in SWITCHES:
         if switch.tag in blocks.inner:
             check_switch(blocks.inner[switch.tag], switch)

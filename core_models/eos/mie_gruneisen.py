@@ -2,7 +2,8 @@
 
 from typing import NamedTuple
 
-from core_models.laws import is_beyond_eos, pressure
+from core_models.elementary import exponential
+from core_models.laws import is_beyond_eos, isentropic_ratio, pressure
 
 
 class MieGruneisen(NamedTuple):
@@ -42,6 +43,11 @@ def _(eos, volume_ratio, energy):
     cold = stiffness * h * (1.0 - 0.5 * eos.Gamma_0 * h) * d * d
     slope = stiffness * (1.0 + (eos.S_alpha - eos.Gamma_0) * h) * d * d * d
     return -(cold + eos.Gamma_0 * energy), slope, -eos.Gamma_0
+
+
+@isentropic_ratio.register(MieGruneisen)
+def _(eos, before, after):
+    return exponential(eos.Gamma_0 * (before - after))
 
 
 @is_beyond_eos.register(MieGruneisen)

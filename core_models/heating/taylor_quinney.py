@@ -12,9 +12,9 @@ class TaylorQuinney(NamedTuple):
     ----------
     fraction : Taylor-Quinney coefficient [-], 0 <= fraction <= 1 (0.9 for metals).
 
-    The return to the yield surface uses the temperature before the step. Heat from
-    volume change is left out, the reversible as well as that of the bulk viscosity (Uintah's default); the energy of
-    the equation of state has both.
+    The return to the yield surface uses the temperature before the step. Heat from volume change is left out, the
+    reversible (`IsentropicHeating` has it) as well as that of the bulk viscosity (Uintah's default); the energy of the
+    equation of state has both.
     Source: Taylor & Quinney, Proc. R. Soc. Lond. A 143 (1934) 307.
     """
 

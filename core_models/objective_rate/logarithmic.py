@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from core_models.compilation import beside_kernel, inside_kernel
 from core_models.elementary import logarithm
-from core_models.spectral import along, logarithm_along, logarithm_change, principal_axes
+from core_models.hencky import along, logarithm_along, logarithm_change, principal_axes
 from core_models.tensors import congruence, minus, plus, symmetric_part, transposed
 from core_models.updates.corotation import (
     back,

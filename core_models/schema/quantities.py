@@ -1,6 +1,6 @@
 """The card schema of plain tags: constants, elastic moduli, bodies, dead tags."""
 
-from core_models.schema.entries import ANY, POSITIVE, ZERO, Inert, Interval, Parameter, Switch
+from core_models.schema.entries import ANY, NOT_NEGATIVE, POSITIVE, Interval, Parameter, Switch
 
 CONSTANTS = (
     Parameter("density", "kg/m^3", POSITIVE, "mass density of the undeformed body"),
@@ -36,7 +36,13 @@ HEATED_FRACTION = Parameter(
     default=0.9,
 )
 
-EXPANSION = Inert("coeff_thermal_expansion", ZERO, "thermal expansion")
+EXPANSION_COEFFICIENT = Parameter(
+    "coeff_thermal_expansion",
+    "1/K",
+    NOT_NEGATIVE,
+    "coefficient of thermal expansion of the length",
+    default=0.0,
+)
 
 CYLINDER = (
     Parameter("bottom", "m", ANY, "centre of the lower end", size=3),

@@ -1,20 +1,33 @@
 """The card schema of all slots: which types fill them, and with which tags."""
 
+from dataclasses import replace
+
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
+from core_models.expansion.isotropic import IsotropicExpansion
+from core_models.heating.isentropic import IsentropicHeating
 from core_models.heating.taylor_quinney import TaylorQuinney
 from core_models.objective_rate.jaumann import Jaumann
 from core_models.objective_rate.logarithmic import Logarithmic
 from core_models.schema.damage import DAMAGE, EROSION
-from core_models.schema.entries import NOT_NEGATIVE, POSITIVE, ZERO, Inert, ModelSchema, Parameter, SlotSchema
+from core_models.schema.entries import (
+    NOT_NEGATIVE,
+    POSITIVE,
+    ZERO,
+    Inert,
+    Interval,
+    ModelSchema,
+    Parameter,
+    SlotSchema,
+)
 from core_models.schema.flow import FLOW
 from core_models.schema.quantities import HEATED_FRACTION, TOLERANCE
 from core_models.schema.state_functions import MELTING, SHEAR_MODULUS, SPECIFIC_HEAT
+from core_models.schema.yielding import KINEMATIC_HARDENING, YIELD_CONDITION
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
-from core_models.yield_condition.von_mises import VonMises
 
 UPDATE = SlotSchema(
     slot="update",
@@ -101,32 +114,40 @@ EOS = SlotSchema(
     unavailable=("mie_gruneisen_energy",),
 )
 
-YIELD_CONDITION = SlotSchema(
-    slot="yield_condition",
-    tags=("yield_condition",),
-    places=("constitutive_model",),
-    absent="vonMises where there is a flow law",
-    models=(ModelSchema(("vonMises",), VonMises, "q = sqrt(3/2 s:s) <= flow stress"),),
-    plain=("none",),
-    unavailable=("gurson", "rousselier"),
-)
-
 HEATING = SlotSchema(
     slot="heating",
     tags=("heating_model",),
     places=("constitutive_model",),
     absent="taylor_quinney given a specific heat, a flow law and a law that feels the temperature",
-    models=(ModelSchema(("taylor_quinney",), TaylorQuinney, "heat from plastic work", (HEATED_FRACTION,)),),
+    models=(
+        ModelSchema(("taylor_quinney",), TaylorQuinney, "heat from plastic work", (HEATED_FRACTION,)),
+        ModelSchema(
+            types=("isentropic",),
+            law=IsentropicHeating,
+            help="heat from plastic work and from the change of volume; with mie_gruneisen",
+            parameters=(replace(HEATED_FRACTION, range=Interval(0.0, 1.0)),),
+        ),
+    ),
     plain=("none",),
 )
 
-KINEMATIC_HARDENING = SlotSchema(
-    slot="kinematic_hardening",
-    tags=("kinematic_hardening_model",),
+EXPANSION = SlotSchema(
+    slot="expansion",
+    tags=("thermal_expansion",),
     places=("constitutive_model",),
     absent="none",
+    models=(
+        ModelSchema(
+            types=("isotropic",),
+            law=IsotropicExpansion,
+            help="as by a plain <coeff_thermal_expansion>; not with mie_gruneisen, whose energy has it",
+            parameters=(
+                Parameter("coefficient", "1/K", NOT_NEGATIVE, "coefficient of the length"),
+                Parameter("T_0", "K", POSITIVE, "temperature without stress", fallback="room_temp"),
+            ),
+        ),
+    ),
     plain=("none",),
-    unavailable=("prager_hardening", "armstrong_frederick_hardening", "ziegler_hardening"),
 )
 
 STABILITY = SlotSchema(
@@ -145,6 +166,7 @@ SLOTS = (
     FLOW,
     YIELD_CONDITION,
     HEATING,
+    EXPANSION,
     DAMAGE,
     EROSION,
     SHEAR_MODULUS,

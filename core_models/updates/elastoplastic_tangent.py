@@ -3,11 +3,11 @@
 from core_models.columns import get_point, put_point
 from core_models.compilation import inside_kernel
 from core_models.dispatch import generic
-from core_models.laws import eroded_stress, evolve_hardening, flow_stress, pressure, stress_measure
+from core_models.laws import eroded_stress, evolve_hardening, flow_stress, stress_measure
 from core_models.rows import F0, F1, LENGTH, get, get_tensor
 from core_models.status import OK
 from core_models.tensors import determinant, inverse, mean, plus, plus_isotropic, scaled
-from core_models.updates.balance import complete_point, put_balance
+from core_models.updates.balance import cold_pressure, complete_point, put_balance
 from core_models.updates.conditions import flow_before
 from core_models.updates.elastoplastic import correct_rows, predict_rows
 from core_models.updates.prediction import NO_STRESS, Correction, get_correction, get_prediction
@@ -125,10 +125,13 @@ def pressure_slopes(model, prediction, before, after, mean_stress):
     p = p(J, e) with e = e_0 + w + (p_0 + p) (J - J_0) / 2, see `advance_pressure` (core_models.updates.balance).
     """
     change = prediction.volume_ratio_1 - prediction.volume_ratio_0
-    bare, slope, by_energy = pressure(model.eos, prediction.volume_ratio_1, after.internal_energy)
-    kept = eroded_stress(model.erosion, before.damage, NO_STRESS, bare)[1]
-    if kept != bare:
+    bare, slope, by_energy = cold_pressure(
+        model, prediction.volume_ratio_1, before.temperature, after.internal_energy
+    )
+    sign = 1.0 if bare > 0.0 else -1.0
+    share = sign * eroded_stress(model.erosion, before.damage, NO_STRESS, sign)[1]
+    if share == 0.0:
         return 0.0, 0.0
     over = 1.0 / (1.0 - 0.5 * by_energy * change)
-    by_volume = slope + 0.5 * by_energy * (mean(before.stress) + mean_stress)
-    return by_volume * over, by_energy * over
+    by_volume = slope + 0.5 * by_energy * (mean(before.stress) + mean_stress / share)
+    return by_volume * over * share, by_energy * over * share

@@ -146,6 +146,8 @@ def test_effects_are_listed_with_reasons(copper, hot_copper):
         "variable shear modulus",
         "strength under pressure",
         "loss of stability",
+        "heat of volume change",
+        "thermal expansion",
     }
     assert not any(effect.on for effect in bare.values())
     assert all(effect.reason for effect in (*full.values(), *bare.values()))

@@ -15,6 +15,7 @@ from core_models.erosion.no_shear import AllowNoShear
 from core_models.erosion.no_tension import AllowNoTension
 from core_models.erosion.zero_stress import ZeroStress
 from core_models.errors import UnsupportedError
+from core_models.expansion.isotropic import IsotropicExpansion
 from core_models.flow.anand import Anand
 from core_models.flow.voce import Voce
 from core_models.kernels import advance_points
@@ -165,6 +166,14 @@ def test_the_pressure_follows_the_energy_of_the_step(plain, hot_copper, update, 
 
 
 @pytest.mark.parametrize("update", ["hypo", "hyper"])
+def test_a_warm_body_has_its_tangent(plain, copper, update):
+    """Thermal expansion takes part in the slope of the pressure."""
+    assert_exact(
+        prepared(copper(update, expansion=IsotropicExpansion(1e-4, 294.0)), 0.2, 0.1, temperature=900.0)
+    )
+
+
+@pytest.mark.parametrize("update", ["hypo", "hyper"])
 def test_a_melted_point_has_the_stiffness_of_a_fluid(plain, hot_copper, update):
     """Above melting tau = J p 1: a shear changes nothing."""
     points = prepared(hot_copper(update, "jc"), 0.1, 0.1, temperature=1400.0)
@@ -174,7 +183,9 @@ def test_a_melted_point_has_the_stiffness_of_a_fluid(plain, hot_copper, update):
 
 
 @pytest.mark.parametrize("update", ["hypo", "hyper"])
-@pytest.mark.parametrize("erosion", [ZeroStress(), AllowNoShear(), AllowNoTension()])
+@pytest.mark.parametrize(
+    "erosion", [ZeroStress(), AllowNoShear(), AllowNoTension(), ZeroStress(1e-4), AllowNoTension(1e-4)]
+)
 @pytest.mark.parametrize("stretch", [-0.05, 0.05])
 def test_a_failed_point_has_the_stiffness_that_erosion_leaves(plain, hot_copper, update, erosion, stretch):
     """Points whose damage has reached 1, in compression and in tension."""

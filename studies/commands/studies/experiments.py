@@ -1,0 +1,66 @@
+"""Compare 85 Taylor shots of copper, aluminium and steel with what flow laws and both methods predict.
+
+examples:
+  matpoint study experiments --quick
+  matpoint study experiments --out results/shots
+  matpoint study experiments --resume results/shots
+  matpoint study experiments --scheduler tcp://10.0.0.1:8786
+
+The runs go to a Dask cluster of this machine (extra 'sweep'; without it to plain processes), or to the scheduler at an
+address. A run that goes wrong is listed and stops nothing. --quick takes one card for each metal, coarsely.
+Exit status: 0; 2 bad input; 3 when some run went wrong.
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+from studies.default_folder import default_folder
+from studies.options import positive
+
+WRONG = 3
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Options of `matpoint study experiments`."""
+    parser.add_argument("--quick", action="store_true", help="coarser runs, one card for each metal")
+    parser.add_argument(
+        "--scheduler", metavar="ADDRESS", help="a running Dask scheduler, like tcp://host:8786"
+    )
+    parser.add_argument(
+        "--workers", metavar="N", type=positive, help="processes on this machine (default: one a processor)"
+    )
+    folder = parser.add_mutually_exclusive_group()
+    folder.add_argument(
+        "--out", metavar="DIR", help="new or empty folder (default: results/experiments-DATE-TIME)"
+    )
+    folder.add_argument("--resume", metavar="DIR", help="go on with the study in this folder")
+
+
+def execute(options: argparse.Namespace) -> int:
+    """Run what is not done yet, print the medians and where the report is."""
+    from studies.experiments.study import compare_experiments
+    from studies.experiments.tables import sections
+    from studies.report.study_text import table_text
+
+    out = Path(options.resume or options.out or default_folder("experiments"))
+    outcome = compare_experiments(
+        out,
+        quick=options.quick,
+        going_on=options.resume is not None,
+        scheduler=options.scheduler,
+        workers=options.workers,
+        tell=_tell,
+    )
+    methods = tuple(dict.fromkeys(result["method"] for result in outcome.results if "method" in result))
+    if methods:
+        print("\n\n".join(table_text(each.tables[0]) for each in sections(outcome.results, methods)[:2]))
+    if outcome.remark:
+        print(f"matpoint: {outcome.remark}", file=sys.stderr)
+    print(f"\n{out / ('report.md' if outcome.remark else 'report.html')}")
+    return WRONG if outcome.failed else 0
+
+
+def _tell(result: dict, done: int, all_: int) -> None:
+    said = "" if result["status"] == "complete" else f": {result['message'][:120]}"
+    print(f"{done} / {all_}  {result['key']}  {result['status']}{said}", file=sys.stderr, flush=True)

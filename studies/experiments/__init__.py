@@ -1,0 +1,1 @@
+"""Taylor impact experiments: measured shots against what flow laws and both methods predict."""

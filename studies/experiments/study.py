@@ -1,0 +1,106 @@
+"""The study of the experiments: every shot by every flow law that has constants and both methods."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from core_models.errors import OutputError
+from studies.experiments.predictions import CARDS, predict
+from studies.experiments.shots import read_shots
+from studies.experiments.tables import sections
+from studies.output_folder import OutputFolder, ResumedFolder
+from studies.report.study_page import Report, write_report
+from studies.run_record import to_json
+from studies.sweep.job import COMPLETE, Job
+from studies.sweep.sweep import run_sweep
+
+SETTINGS = "study.json"
+
+
+@dataclass(frozen=True)
+class Extent:
+    """How much is run: elements or cells across the radius by method, cards of each metal, seconds for each run."""
+
+    resolutions: tuple[tuple[str, int], ...]
+    cards: int
+    within: float
+
+
+FULL = Extent((("fem-explicit", 6), ("mpm", 8)), 9, 60.0)
+QUICK = Extent((("fem-explicit", 3), ("mpm", 4)), 1, 8.0)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """All results, in the order of the shots; remark : what could not be written, or nothing."""
+
+    results: list[dict[str, Any]]
+    remark: str
+
+    @property
+    def failed(self) -> int:
+        """How many runs went wrong."""
+        return sum(result["status"] != COMPLETE for result in self.results)
+
+
+def jobs_of(extent: Extent) -> list[Job]:
+    """One job for each shot, card and method."""
+    return [
+        Job(
+            f"{shot.name}--{card}--{method}-{resolution}",
+            predict,
+            (shot.name, card, method, resolution, extent.within),
+        )
+        for shot in read_shots()
+        for card in CARDS[shot.material][: extent.cards]
+        for method, resolution in extent.resolutions
+    ]
+
+
+def compare_experiments(
+    out: Path | str,
+    *,
+    quick: bool = False,
+    going_on: bool = False,
+    scheduler: str | None = None,
+    workers: int | None = None,
+    only: Callable[[Job], bool] = lambda job: True,
+    tell: Callable[[dict[str, Any], int, int], None] = lambda result, done, all_: None,
+) -> Outcome:
+    """Run all shots and write runs/*.json, tables as CSV, report.html and report.md.
+
+    going_on : `out` is the folder of a study that was stopped; runs in it that are complete are kept.
+    scheduler, workers, tell : see `studies.sweep.sweep`. only : which jobs to do.
+    Raises OutputError for a folder that is in use, or that another study has been started in.
+    """
+    extent = QUICK if quick else FULL
+    settings = {"study": "experiments", "quick": quick}
+    with ResumedFolder(out) if going_on else OutputFolder(out) as folder:
+        if going_on and not _is_ours(folder, settings):
+            raise OutputError(
+                f"{out}: holds no experiments study {'with' if quick else 'without'} --quick to go on with; "
+                "start one with --out"
+            )
+        folder.write_text(SETTINGS, to_json(settings))
+        jobs = [job for job in jobs_of(extent) if only(job)]
+        results = run_sweep(jobs, folder, scheduler=scheduler, workers=workers, tell=tell)
+        remark = write_report(_report(results, extent, quick), folder)
+    return Outcome(results, remark)
+
+
+def _is_ours(folder: OutputFolder, settings: dict) -> bool:
+    path = folder.path / SETTINGS
+    return path.exists() and path.read_text(encoding="utf-8") == to_json(settings)
+
+
+def _report(results: list[dict[str, Any]], extent: Extent, quick: bool) -> Report:
+    sizes = ", ".join(f"{method} {resolution} across the radius" for method, resolution in extent.resolutions)
+    done = sum(result["status"] == COMPLETE for result in results)
+    lead = (
+        "Taylor shots of copper, aluminium and steel: what the flow laws predict with constants from elsewhere, none "
+        "fitted to these shots, by finite elements and by the material point method."
+    )
+    facts = (f"{done} of {len(results)} runs complete", sizes, "quick: one card a metal" if quick else "full")
+    methods = tuple(method for method, _ in extent.resolutions)
+    return Report("Taylor impact experiments", lead, facts, sections(results, methods))

@@ -1,0 +1,62 @@
+"""Jobs on Dask: a cluster of this machine's own, or one that is running already."""
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+from core_models.errors import SceneError
+from studies.sweep.job import Job, failed, perform
+
+CONNECT_TIMEOUT = 10.0  # s
+
+
+def is_installed() -> bool:
+    """Whether Dask's distributed scheduler can be imported."""
+    try:
+        import distributed  # noqa: F401
+    except ImportError:
+        return False
+    return True
+
+
+@contextmanager
+def client_of(scheduler: str | None, workers: int) -> Iterator[Any]:
+    """A client of the scheduler at an address, or of a cluster of so many processes that lives as long as this.
+
+    Raises SceneError when nothing answers at the address.
+    """
+    from distributed import Client, LocalCluster
+
+    if scheduler is None:
+        with (
+            LocalCluster(
+                n_workers=workers,
+                threads_per_worker=1,
+                processes=True,
+                dashboard_address=":0",
+                silence_logs=50,
+            ) as cluster,
+            Client(cluster) as client,
+        ):
+            yield client
+        return
+    try:
+        client = Client(scheduler, timeout=CONNECT_TIMEOUT)
+    except (OSError, ValueError) as error:
+        raise SceneError(
+            f"--scheduler {scheduler}: no Dask scheduler answers there ({type(error).__name__}); start one with "
+            "'dask scheduler', and workers with 'dask worker', or leave the option out"
+        ) from error
+    with client:
+        yield client
+
+
+def results_by_dask(jobs: Sequence[Job], client: Any) -> Iterator[dict[str, Any]]:
+    """Results in the order in which they come; a job whose worker is lost is done again by another."""
+    from distributed import as_completed
+
+    futures = {client.submit(perform, job, key=job.key, pure=False): job for job in jobs}
+    for future in as_completed(futures):
+        job = futures[future]
+        error = future.exception()
+        yield future.result() if error is None else failed(job.key, f"{type(error).__name__}: {error}")

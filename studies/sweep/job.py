@@ -1,0 +1,31 @@
+"""One job of a sweep, and how it ends."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from core_models.errors import MatpointError
+
+COMPLETE, FAILED = "complete", "failed"
+
+
+@dataclass(frozen=True)
+class Job:
+    """A call of a module's function that gives a dictionary of JSON; `key` names it and its file."""
+
+    key: str
+    function: Callable[..., dict[str, Any]]
+    arguments: tuple = ()
+
+
+def perform(job: Job) -> dict[str, Any]:
+    """The job's result with its status; an error becomes status 'failed' and its message."""
+    try:
+        return {"key": job.key, "status": COMPLETE, "message": ""} | job.function(*job.arguments)
+    except MatpointError as error:
+        return failed(job.key, str(error))
+
+
+def failed(key: str, message: str) -> dict[str, Any]:
+    """The result of a job that has not come to an end."""
+    return {"key": key, "status": FAILED, "message": message}

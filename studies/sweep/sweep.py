@@ -1,0 +1,60 @@
+"""A sweep: jobs that are not done yet are done, and each result is kept as soon as it comes."""
+
+import json
+import os
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+from core_models.errors import UnsupportedError
+from studies.output_folder import OutputFolder
+from studies.run_record import to_json
+from studies.sweep.dask_cluster import client_of, is_installed, results_by_dask
+from studies.sweep.job import COMPLETE, Job
+from studies.sweep.processes import results_by_processes
+
+KEPT = "runs"
+Result = dict[str, Any]
+
+
+def run_sweep(
+    jobs: Sequence[Job],
+    folder: OutputFolder,
+    *,
+    scheduler: str | None = None,
+    workers: int | None = None,
+    tell: Callable[[Result, int, int], None] = lambda result, done, all_: None,
+) -> list[Result]:
+    """Results of all jobs, in their order; those that the folder holds from an earlier time are not done again.
+
+    scheduler : address of a running Dask scheduler; None for a Dask cluster of this machine, or, without Dask, plain
+    processes. workers : processes on this machine, by default one for each processor.
+    tell : called with each result, how many there are by now, and how many there will be.
+    A job that had failed before is tried again. Raises UnsupportedError for a scheduler without Dask.
+    """
+    known = {job.key: _kept(folder, job.key) for job in jobs}
+    left = [job for job in jobs if known[job.key] is None]
+    done = len(jobs) - len(left)
+    for result in _results(left, scheduler, workers or len(os.sched_getaffinity(0))) if left else ():
+        known[result["key"]] = result
+        folder.write_text(f"{KEPT}/{result['key']}.json", to_json(result))
+        done += 1
+        tell(result, done, len(jobs))
+    return [known[job.key] for job in jobs]
+
+
+def _kept(folder: OutputFolder, key: str) -> Result | None:
+    path = folder.path / KEPT / f"{key}.json"
+    result = json.loads(path.read_text()) if path.exists() else None
+    return result if result and result["status"] == COMPLETE else None
+
+
+def _results(jobs: Sequence[Job], scheduler: str | None, workers: int) -> Iterator[Result]:
+    if is_installed():
+        with client_of(scheduler, workers) as client:
+            yield from results_by_dask(jobs, client)
+    elif scheduler is None:
+        yield from results_by_processes(jobs, workers)
+    else:
+        raise UnsupportedError(
+            "--scheduler needs Dask: pip install 'matpoint[sweep]'; or leave it out, for processes of this machine"
+        )
