@@ -96,6 +96,7 @@ class ExplicitSolver(Restartable, Readout):
         self.velocities = initial_velocities(velocity, self.mesh.points)
         volumes = self._body.space.tables.weights.ravel()
         self.points = MaterialPoints(material, volumes, temperature, viscosity, self.threads, conduction)
+        self.points.connect(self.reference_positions)
         self.positions = self.mesh.points.copy()
         count = len(self.positions)
         self._held = np.zeros(count, dtype=np.bool_)

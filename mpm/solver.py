@@ -348,7 +348,7 @@ class Solver(Restartable, Body):
         self._fastest = (math.sqrt(float(sums[:, SPEED].max())), work.wave_speed, work.viscous_pressure)
 
     def _stable_step(self, speed: float, wave_speed: float, viscous_pressure: float) -> float:
-        relative = viscous_pressure / (self.material.density * wave_speed**2)
+        relative = viscous_pressure / (self.material.density * wave_speed**2) if viscous_pressure else 0.0
         factor = damped_step_factor(self.points.viscosity, relative) * self._background.step_factor()
         step = self.cfl * factor * self.cell_size / self._fastest_wave(speed, wave_speed)
         return step if self._conduction is None else min(step, self._conduction.limit)

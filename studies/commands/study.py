@@ -16,6 +16,7 @@ from studies.options import Parser
 
 STUDIES = {
     "verification": "problems with known answers, by both methods",
+    "necking": "a bar pulled until it necks, implicitly and explicitly",
     "experiments": "85 Taylor shots against flow laws and methods",
 }
 """Name of a study: what it does. Its module in `studies.commands.studies` has its options and prints."""
