@@ -1,12 +1,12 @@
 """Nonlocal damage: increments of the damage variable, averaged over a neighbourhood of the reference body."""
 
+from typing import Any
+
 import numpy as np
-from scipy.sparse import coo_array, csr_array
-from scipy.spatial import cKDTree
 
 
-def bell_weights(positions: np.ndarray, volumes: np.ndarray, radius: float) -> csr_array:
-    """Weights of the average at each point over its neighbours, a sparse array (n, n) whose rows sum up to 1.
+def bell_weights(positions: np.ndarray, volumes: np.ndarray, radius: float) -> Any:
+    """Weights of the average at each point over its neighbours, a sparse array (n, n) of scipy whose rows sum up to 1.
 
         w_ij = V_j alpha(|X_i - X_j|) / sum_k V_k alpha(|X_i - X_k|),   alpha(r) = (1 - r^2 / R^2)^2 for r < R
 
@@ -19,6 +19,10 @@ def bell_weights(positions: np.ndarray, volumes: np.ndarray, radius: float) -> c
     through gaps and between bodies that lie closer than R.
     Source: Bažant & Jirásek, J. Eng. Mech. 128 (2002) 1119, eqs. 1, 2 and 12.
     """
+    # Here, not above: the laws need nothing but numpy and numba.
+    from scipy.sparse import coo_array
+    from scipy.spatial import cKDTree
+
     pairs = cKDTree(positions).query_pairs(radius, output_type="ndarray")
     distances = np.linalg.norm(positions[pairs[:, 0]] - positions[pairs[:, 1]], axis=1)
     bells = (1.0 - (distances / radius) ** 2) ** 2
