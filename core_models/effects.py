@@ -48,7 +48,7 @@ def material_effects(m) -> list[Effect]:
         _effect(
             "erosion", m.erosion, "the card asks for none: damage is computed and reported, it does not act"
         ),
-        _effect("loss of stability", m.stability, NOT_OFFERED),
+        _effect("loss of stability", m.stability, "the card asks for no stability_check"),
     ]
 
 

@@ -20,6 +20,7 @@ from core_models.laws import (
     return_to_surface,
     shear_modulus,
     shear_stiffness,
+    stability_measure,
     thermal_volume,
 )
 from core_models.material_checks import cautions, complaints
@@ -41,10 +42,11 @@ SLOTS = {
     "specific_heat": heat_capacity,
     "heating": heated_fraction,
     "expansion": thermal_volume,
+    "stability": stability_measure,
     "erosion": eroded_stress,
     "objective_rate": corotated,
 }
-EMPTY_SLOTS = ("kinematic_hardening", "stability")
+EMPTY_SLOTS = ("kinematic_hardening",)
 REQUIRED_SLOTS = ("update", "elasticity")
 
 log = logging.getLogger(__name__)

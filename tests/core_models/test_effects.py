@@ -32,7 +32,7 @@ def test_absent_heating_names_its_own_cause(copper, hot_copper):
         assert not heating(material).on and cause in heating(material).reason
 
 
-@pytest.mark.parametrize("name", ["kinematic hardening", "loss of stability"])
+@pytest.mark.parametrize("name", ["kinematic hardening"])
 def test_effects_that_no_card_can_ask_for_are_listed_as_off(copper, name):
     """The list is whole: it also has what is not offered yet."""
     effect = next(effect for effect in copper("hypo", "jc").effects() if effect.name == name)
