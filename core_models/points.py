@@ -8,7 +8,7 @@ from core_models.bulk_viscosity import BulkViscosity
 from core_models.compilation import CHUNK
 from core_models.errors import RunFailure, UnsupportedError
 from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points
-from core_models.laws import elastic_moduli, pressure, stability_measure, thermal_volume
+from core_models.laws import back_stress_count, elastic_moduli, pressure, stability_measure, thermal_volume
 from core_models.material import Material
 from core_models.rows import make_workspace
 from core_models.state import State
@@ -28,6 +28,9 @@ UNITS = {
     "temperature": "K",
     "damage": "1",
     "internal_energy": "J/m^3",
+    "plastic_volume": "1",
+    "porosity": "1",
+    "back_stress": "Pa",
 }
 
 
@@ -222,6 +225,8 @@ def initial_state(material: Material, n: int, temperature: float, conduction: bo
     hypo = isinstance(material.update, HypoelasticPlastic)
     hyper = isinstance(material.update, HyperelasticPlastic)
     variable = getattr(material.flow, "hardening_variable", None)
+    voids = getattr(material.damage, "porosity_at_start", None)
+    terms = back_stress_count(material.kinematic_hardening)
     stress = np.zeros((n, 6))
     stress[:, :3] = thermal_stress(material, temperature)
     return State(
@@ -233,6 +238,9 @@ def initial_state(material: Material, n: int, temperature: float, conduction: bo
         temperature=scalar(material.needs_temperature or conduction, temperature),
         damage=scalar(material.damage is not None),
         internal_energy=scalar(material.uses("uses_energy")),
+        plastic_volume=scalar(getattr(material.yield_condition, "has_plastic_volume", False)),
+        porosity=scalar(voids is not None, voids or 0.0),
+        back_stress=np.zeros((n, 6 * terms)) if terms else None,
     )
 
 

@@ -13,6 +13,8 @@ OPTIONS = {
     "mpm": ("mpm", {}),
     "mpm, plane wall": ("mpm", {"wall": "plane"}),
     "mpm, total": ("mpm", {"configuration": "total", "wall": "plane"}),
+    "mpm, total, cured": ("mpm", {"configuration": "total", "wall": "plane", "cure": "mean-dilatation"}),
+    "mpm, cpdi": ("mpm", {"interpolation": "cpdi"}),
 }
 
 

@@ -24,12 +24,12 @@ from core_models.schema.entries import (
 from core_models.schema.flow import FLOW
 from core_models.schema.quantities import HEATED_FRACTION, TOLERANCE
 from core_models.schema.state_functions import MELTING, SHEAR_MODULUS, SPECIFIC_HEAT
+from core_models.schema.yielding import KINEMATIC_HARDENING, YIELD_CONDITION
 from core_models.stability.drucker import DruckerStability
 from core_models.stability.hyperbolicity import HyperbolicityLoss
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
-from core_models.yield_condition.von_mises import VonMises
 
 UPDATE = SlotSchema(
     slot="update",
@@ -116,16 +116,6 @@ EOS = SlotSchema(
     unavailable=("mie_gruneisen_energy",),
 )
 
-YIELD_CONDITION = SlotSchema(
-    slot="yield_condition",
-    tags=("yield_condition",),
-    places=("constitutive_model",),
-    absent="vonMises where there is a flow law",
-    models=(ModelSchema(("vonMises",), VonMises, "q = sqrt(3/2 s:s) <= flow stress"),),
-    plain=("none",),
-    unavailable=("gurson", "rousselier"),
-)
-
 HEATING = SlotSchema(
     slot="heating",
     tags=("heating_model",),
@@ -160,15 +150,6 @@ EXPANSION = SlotSchema(
         ),
     ),
     plain=("none",),
-)
-
-KINEMATIC_HARDENING = SlotSchema(
-    slot="kinematic_hardening",
-    tags=("kinematic_hardening_model",),
-    places=("constitutive_model",),
-    absent="none",
-    plain=("none",),
-    unavailable=("prager_hardening", "armstrong_frederick_hardening", "ziegler_hardening"),
 )
 
 STABILITY = SlotSchema(

@@ -130,9 +130,10 @@ def pressure_slopes(model, prediction, before, after, mean_stress):
     bare, slope, by_energy = cold_pressure(
         model, prediction.volume_ratio_1, before.temperature, after.internal_energy
     )
-    kept = eroded_stress(model.erosion, before.damage, NO_STRESS, bare)[1]
-    if kept != bare:
+    sign = 1.0 if bare > 0.0 else -1.0
+    share = sign * eroded_stress(model.erosion, before.damage, NO_STRESS, sign)[1]
+    if share == 0.0:
         return 0.0, 0.0
     over = 1.0 / (1.0 - 0.5 * by_energy * change)
-    by_volume = slope + 0.5 * by_energy * (mean(before.stress) + mean_stress)
-    return by_volume * over, by_energy * over
+    by_volume = slope + 0.5 * by_energy * (mean(before.stress) + mean_stress / share)
+    return by_volume * over * share, by_energy * over * share
