@@ -9,13 +9,12 @@ from core_models.arguments import check_between
 from core_models.body_checks import check_body
 from core_models.bulk_viscosity import BulkViscosity, damped_step_factor
 from core_models.compilation import CHUNK
-from core_models.errors import RunFailure, SceneError
+from core_models.errors import RunFailure
 from core_models.geometry import Axisymmetric, axis_names, find_geometry
 from core_models.ledger import EnergyLedger
 from core_models.load_checks import check_loads, damping_of
 from core_models.loads import Load, Symmetry, at_time
 from core_models.material import Material
-from core_models.names import suggestion
 from core_models.points import Work
 from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.threads import Threads
@@ -30,6 +29,7 @@ from mpm.configurations import Total, find_configuration, pull_back
 from mpm.contact import Contact, Push
 from mpm.dilatation import Dilatation, find_cure
 from mpm.forces import Forces
+from mpm.fracture import Neighbours
 from mpm.grid import RECORD, VELOCITY
 from mpm.interpolation.catalogue import check_interpolation, make_interpolation
 from mpm.interpolation.cpdi import ConvectedDomain, check_extent
@@ -38,6 +38,7 @@ from mpm.mirrors import find_mirrors
 from mpm.motion import AFTER, BEFORE, advect
 from mpm.musl import MUSL, USL, Remap, check_update
 from mpm.particles import GAUSS, rim_faces
+from mpm.readout import Readout
 from mpm.reference_contact import ReferenceContact
 from mpm.stress_power import StressPower
 from mpm.supports import Hold, Supports
@@ -47,7 +48,7 @@ from mpm.transfers import make_transfer
 from mpm.xpic import Filter
 
 
-class Solver(Restartable, Body):
+class Solver(Readout, Restartable, Body):
     """Explicit dynamics of a body, from a mesh that its particles are seeded from.
 
     Parameters
@@ -158,6 +159,7 @@ class Solver(Restartable, Body):
         self._moves = np.empty_like(self.velocities) if self._transfer.share else None
         self._filled = False
         self._reactions: dict[str, np.ndarray] = {}
+        self._neighbours: Neighbours | None = None
         self.time, self.step_count, self.point_updates, self._last_step = 0.0, 0, 0, 0.0
         self.initial_momentum = self.momentum
         self.wall_impulse, self.wall_force = 0.0, 0.0
@@ -388,45 +390,3 @@ class Solver(Restartable, Body):
             carried = self._background.carried(self._places, self.affine)
             squares += (carried * self.affine).sum(axis=(1, 2))
         return 0.5 * float((self.particle_mass * squares).sum())
-
-    def kinetic_energy(self) -> float:
-        """Kinetic energy at `time` [J]."""
-        return self.ledger.kinetic
-
-    @property
-    def angular_momentum(self) -> float | np.ndarray:
-        """About the origin [kg m^2/s], with what affine velocities carry: a number in the plane, (3,) in space."""
-        if isinstance(self.geometry, Axisymmetric):
-            raise AttributeError("a body of revolution has no angular momentum in its plane")
-        x, v = self.positions, self.velocities
-        spin = np.einsum("nj,ni->nij", x, v)
-        if self.affine is not None:
-            carried = self._background.carried(self._places, self.affine)
-            if isinstance(self.configuration, Total):
-                d = x.shape[1]
-                carried = carried @ self.points.old_deformation_gradient[:, :d, :d].transpose(0, 2, 1)
-            spin += carried
-        spin = (self.particle_mass[:, None, None] * spin).sum(axis=0)
-        whole = spin - spin.T
-        return float(whole[1, 0]) if len(whole) == 2 else np.array([whole[2, 1], whole[0, 2], whole[1, 0]])
-
-    def boundary_force(self, name: str) -> np.ndarray:
-        """Force (d,) [N] of a boundary with prescribed motion or symmetry on the body in the last step.
-
-        Raises SceneError for any other boundary.
-        """
-        mirrors = self._background.mirrors
-        known = [
-            *self._supports.names,
-            *(mirror_name for mirror in mirrors for mirror_name in mirror.names),
-        ]
-        if name not in known:
-            raise SceneError(f"boundary {name!r} exerts no force of its own; {suggestion(name, known)}")
-        if name in self._supports.names:
-            return self._reactions.get(name, np.zeros(self.mesh.dimension)).copy()
-        return self._background.mirror_force(next(m for m in mirrors if name in m.names))
-
-    @property
-    def in_contact(self) -> bool:
-        """Whether the wall has pushed during the last step."""
-        return self.wall_force != 0.0

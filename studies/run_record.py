@@ -27,6 +27,7 @@ def run_entry(result: RunResult) -> dict:
         "cost": asdict(result.cost),
         "conservation": result.conservation,
         "energies": result.energies,
+        "numerical_fracture": result.numerical_fracture,
         "effects": [
             effect_entry(effect) for effect in scene_effects(result.scene, result.wall, (result.method,))
         ],
