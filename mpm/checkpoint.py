@@ -37,6 +37,7 @@ class Restartable:
             **under("contact", {} if self._contact is None else {"touched": self._contact.touched.copy()}),
             **under("reactions", reactions),
             **under("conduction", conduction),
+            **under("cure", {} if self._cure is None else values_of(self._cure, ("stretch",))),
             **under("ledger", ledger_checkpoint(self.ledger)),
         }
 
@@ -54,5 +55,8 @@ class Restartable:
         self._reactions = {name: value.copy() for name, value in part_of(checkpoint, "reactions").items()}
         if self._conduction is not None:
             put_values(self._conduction, CONDUCTION, part_of(checkpoint, "conduction"))
+        if self._cure is not None:
+            put_values(self._cure, ("stretch",), part_of(checkpoint, "cure"))
+        self._background.convect(self.points.old_deformation_gradient)
         restore_ledger(self.ledger, part_of(checkpoint, "ledger"))
         self._filled = False
