@@ -59,5 +59,6 @@ class Restartable:
             put_values(self._conduction, CONDUCTION, part_of(checkpoint, "conduction"))
         if self._cure is not None:
             put_values(self._cure, CURE, part_of(checkpoint, "cure"))
+        self._background.convect(self.points.old_deformation_gradient)
         restore_ledger(self.ledger, part_of(checkpoint, "ledger"))
         self._filled = False
