@@ -67,6 +67,7 @@ class Material:
     The other slots : laws of core_models.<slot>; all but eos and elasticity may be left out.
     room_temperature : initial temperature unless a body gives its own [K].
     thermal_conductivity : k [W/(m K)], > 0, or None.
+    damage_radius : of the neighbourhood over which the growth of damage is averaged [m], > 0; None: local damage.
     origins : file and line of each slot in the card that the material comes from, for messages.
 
     Raises
@@ -94,6 +95,7 @@ class Material:
     objective_rate: Any = None
     room_temperature: float = 294.0
     thermal_conductivity: float | None = None
+    damage_radius: float | None = None
     origins: Mapping[str, str] = field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:

@@ -10,6 +10,7 @@ from core_models.errors import RunFailure, UnsupportedError
 from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points
 from core_models.laws import back_stress_count, elastic_moduli, pressure, stability_measure, thermal_volume
 from core_models.material import Material
+from core_models.nonlocal_average import NonlocalAverage
 from core_models.rows import make_workspace
 from core_models.state import State
 from core_models.status import MEANING, OK
@@ -101,6 +102,7 @@ class MaterialPoints:
         self._new_viscous_pressure = None if viscosity is None else np.zeros(self.n)
         self.lengths = None if viscosity is None else np.zeros(self.n)
         self.wave_speed = np.full(self.n, initial_wave_speed(material))
+        self._average: NonlocalAverage | None = None
         chunks = -(-self.n // CHUNK)
         self._workspaces = [make_workspace() for _thread in range(self.threads.count)]
         self._sums = np.zeros((chunks, 5))
@@ -177,8 +179,19 @@ class MaterialPoints:
             float(largest[PRESSURE]),
         )  # fmt: skip
 
+    def connect(self, positions: np.ndarray) -> None:
+        """Prepare the average of a nonlocal damage, if the material asks for one.
+
+        positions : of the points in the reference body (n, d) [m].
+        """
+        radius = self.material.damage_radius
+        if radius is not None:
+            self._average = NonlocalAverage(positions, self.reference_volumes, radius)
+
     def accept(self) -> None:
         """Make the new state the old one."""
+        if self._average is not None:
+            self._average.apply(self.old.damage, self.new.damage)
         self.old, self.new = self.new, self.old
         self.viscous_pressure, self._new_viscous_pressure = self._new_viscous_pressure, self.viscous_pressure
         self.old_deformation_gradient, self.deformation_gradient = (
