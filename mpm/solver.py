@@ -11,6 +11,7 @@ from core_models.bulk_viscosity import BulkViscosity, damped_step_factor
 from core_models.compilation import CHUNK
 from core_models.errors import RunFailure
 from core_models.geometry import Axisymmetric, axis_names, find_geometry
+from core_models.initial_deformation import check_displacement
 from core_models.ledger import EnergyLedger
 from core_models.load_checks import check_loads, damping_of
 from core_models.loads import Load, Symmetry, at_time
@@ -111,6 +112,7 @@ class Solver(Readout, Restartable, Body):
         wall = as_wall(wall)
         self._agreement = check_loads(loads, mesh, kind, conduction=conduction)
         check_above(wall, mesh.points, kind)
+        check_displacement(displacement, mesh, kind, loads, wall)
         base, mirrors = find_mirrors(mesh, kind, loads, wall, cell_size)
         check_size(mesh, kind, cell_size, mirrors)
         super().__init__(
