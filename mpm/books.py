@@ -19,28 +19,41 @@ class Books:
     def _keep_books(
         self,
         work: Work,
-        external: float,
+        found: float,
+        power: float,
         damped: float,
         lost: float,
         hold: Hold,
         push: Push,
         sums: np.ndarray,
-        kick: float,
+        dt: float,
     ) -> None:
-        """Enter a step that worked in the ledger."""
-        ledger = self.ledger
-        on_grid = self._background.energies.sum(axis=0)
+        """Enter a step that worked in the ledger; found, power : of the loads on the velocities before and after [W].
+
+        A force acts for half the last step on the velocities that it finds, and for half of this one on those after.
+        """
+        ledger, background = self.ledger, self._background
+        kick = 0.5 * (self._last_step + dt)
+        on_grid = background.energies.sum(axis=0)
         kinetic = float(sums[:, ENERGY].sum())
+        resisted = found - background.power_before()
+        starts = self.step_count == 0
+        if starts:
+            # Velocities start at t = 0, not half a step before: what the first forces do to them is half their work.
+            ledger.initial -= 0.25 * dt * (background.power() - background.power_before())
         ledger.transfer += (
             lost
+            + (0.0 if starts else hold.lost)
             + (self._kinetic - float(on_grid[BEFORE]))
             + (float(on_grid[AFTER]) + hold.energy + push.energy - kinetic)
+            + 0.5 * self._last_step * (resisted - self._stress_power)
         )
-        self._kinetic = kinetic
-        # Velocities have had the whole step's force but belong to its middle: half a step's work brings both together.
-        ledger.kinetic = kinetic - 0.5 * (work.stress + work.viscous - external - hold.work)
-        ledger.external += external + hold.work
-        ledger.contact += hold.lost - push.work
+        self._kinetic, self._stress_power = kinetic, self._powers.over(dt)
+        # Velocities belong to the middle of the step: half a step's work of all forces leads to its end.
+        before, self._ahead = self._ahead, 0.5 * dt * (power + (0.0 if starts else hold.later / kick))
+        ledger.kinetic = kinetic + self._ahead - 0.5 * dt * self._stress_power
+        ledger.external += 0.5 * (self._last_step * found + dt * power) + hold.work + self._ahead - before
+        ledger.contact += (hold.lost if starts else 0.0) - push.work
         ledger.friction -= push.rubbed
         ledger.damping += damped
         ledger.plastic += work.plastic
@@ -52,7 +65,7 @@ class Books:
         self._fastest = (math.sqrt(float(sums[:, SPEED].max())), work.wave_speed, work.viscous_pressure)
 
     def _stable_step(self, speed: float, wave_speed: float, viscous_pressure: float) -> float:
-        relative = viscous_pressure / (self.material.density * wave_speed**2)
+        relative = viscous_pressure / (self.material.density * wave_speed**2) if viscous_pressure else 0.0
         factor = damped_step_factor(self.points.viscosity, relative) * self._background.step_factor()
         step = self.cfl * factor * self.cell_size / self._fastest_wave(speed, wave_speed)
         return step if self._conduction is None else min(step, self._conduction.limit)

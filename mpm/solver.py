@@ -36,6 +36,7 @@ from mpm.particles import GAUSS, rim_faces
 from mpm.readout import Readout
 from mpm.reference_contact import ReferenceContact
 from mpm.stepping import Stepping
+from mpm.stress_power import StressPower
 from mpm.supports import Supports
 from mpm.surface import Surface
 from mpm.transfers import make_transfer
@@ -157,7 +158,8 @@ class Solver(Stepping, Books, Readout, Restartable, Body):
         self.time, self.step_count, self.point_updates, self._last_step = 0.0, 0, 0, 0.0
         self.initial_momentum = self.momentum
         self.wall_impulse, self.wall_force = 0.0, 0.0
-        self._kinetic = self._particle_energy()
+        self._kinetic, self._stress_power, self._ahead = self._particle_energy(), 0.0, 0.0
+        self._powers = StressPower(self.points)
         stored, dissipated = self.stored_energy, self.plastic_energy
         self.ledger = EnergyLedger(
             self._kinetic + stored + dissipated, self._kinetic, stored, plastic=dissipated

@@ -85,9 +85,9 @@ class Stepping:
             points.deformation_gradient, self._moves, self._new_velocities, self.volume_ratio,
         )  # fmt: skip
         moves = self._new_velocities if self._moves is None else self._moves
-        external = dt * self._forces.power(moves)
+        found, power = self._forces.power_before(self.velocities), self._forces.power(moves)
         damped = background.damped_energy(keep) if self._damping else 0.0
-        lost = 0.0 if self._remap is None else self._deform_again(dt, external)
+        lost = 0.0 if self._remap is None else self._deform_again(dt, dt * power)
         if self._cure is not None:
             self._cure.average_ratios(
                 background, self._places, points.deformation_gradient, self.volume_ratio
@@ -100,16 +100,17 @@ class Stepping:
         background.convect(points.old_deformation_gradient)
         self.threads.run(advect, -(-points.n // CHUNK), dt, moves, self.positions)
         self.velocities, self._new_velocities = self._new_velocities, self.velocities
-        self._keep_books(work, external, damped, lost, hold, push, sums, kick)
+        self._keep_books(work, found, power, damped, lost, hold, push, sums, dt)
 
     def _constrain(self, dt: float) -> tuple[Hold, Push]:
         """Change the grid's velocity after the forces to what supports, wall and symmetry planes allow."""
         background = self._background
-        self._agreement.check(self.time + 0.5 * dt)
+        middle = self.time + 0.5 * dt
+        self._agreement.check(middle)
+        earlier = self.time - 0.5 * self._last_step if self.step_count else middle
         hold = self._supports.impose(
-            background, self.time + 0.5 * dt, self.positions, self.points.old_deformation_gradient,
-            self._last_step == 0.0,
-        )  # fmt: skip
+            background, earlier, middle, self.positions, self.points.old_deformation_gradient
+        )
         push = Push() if self._contact is None else self._contact.meet(background, dt)
         background.reflect(background.grid.after, VELOCITY)
         return hold, push

@@ -28,7 +28,9 @@ def run_entry(result: RunResult) -> dict:
         "conservation": result.conservation,
         "energies": result.energies,
         "numerical_fracture": result.numerical_fracture,
-        "effects": [effect_entry(effect) for effect in scene_effects(result.scene, result.wall)],
+        "effects": [
+            effect_entry(effect) for effect in scene_effects(result.scene, result.wall, (result.method,))
+        ],
     }
 
 
