@@ -16,6 +16,7 @@ from core_models.dispatch import generic
 from core_models.elementary import exponential, logarithm
 from core_models.laws import (
     advance_rows,
+    damage_of_porosity,
     eroded_stress,
     predict_carefully,
     pressure,
@@ -226,7 +227,10 @@ def complete_step(update, rows, k, model, viscosity, dt, step):
         before.equivalent_plastic_strain + returned.increment,
         returned.hardening_variable,
         heated(model, before.temperature, dissipation, j0, j1),
-        damaged(model, before, returned.increment, dt, mean_stress, equivalent_stress(stress)),
+        damage_of_porosity(
+            model.yield_condition, returned.porosity,
+            damaged(model, before, returned.increment, dt, mean_stress, equivalent_stress(stress)),
+        ),
         before.internal_energy + work + viscous_work,
     )  # fmt: skip
     put_point(rows, k, after)
