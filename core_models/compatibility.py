@@ -138,6 +138,10 @@ CLASHES = (
         "leave the thermal expansion out",
     ),
     Clash(
+        "kinematic_hardening", PRESENT, "damage", (VoidNucleation,),
+        "back stresses move the surface of von Mises", "take vonMises or leave kinematic_hardening out",
+    ),
+    Clash(
         "kinematic_hardening", PRESENT, "yield_condition", (*PRESSURE_DEPENDENT, *POROUS, *ABSENT),
         "back stresses move the surface of von Mises", "take vonMises or leave kinematic_hardening out",
     ),

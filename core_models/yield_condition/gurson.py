@@ -66,7 +66,7 @@ class Gurson(NamedTuple):
         return ""
 
 
-class Flowing(NamedTuple):
+class VoidFlow(NamedTuple):
     """State of the iteration: the unknowns (deviatoric strain, volume, strain of the matrix), von Mises' and the mean
     stress with its slope, flow stress and its slope [Pa], porosity and its slopes by the volume and by the strain of
     the matrix, hardening variable.
@@ -132,7 +132,10 @@ def _(yield_condition, model, flow, problem, rows, k):
 @beside_kernel
 def _search(law, model, flow, problem, mises):
     """Newton's method for the three unknowns, from the return at fixed flow stress and porosity."""
-    start, porosity = strength(flow, problem, 0.0).stress, problem.porosity
+    # Laws that feel a rate may have no strength without: what they have if all of the trial flows is a start.
+    start = strength(flow, problem, 0.0).stress
+    start = max(start, min(strength(flow, problem, mises / (3.0 * problem.shear)).stress, mises))
+    porosity = problem.porosity
     now = _flowing(law, model, flow, problem, mises, (0.0, 0.0, 0.0))
     unknowns = (0.0, 0.0, 0.0)
     room = problem.volume - volume_at(model.eos, problem, 0.0, problem.tolerance * start)[0]
@@ -214,7 +217,7 @@ def _flowing(law, model, flow, problem, mises, unknowns):
     added, rate = nucleated(model.damage, problem.plastic_strain, increment)
     porosity = 1.0 - grown + added
     is_empty = porosity <= 0.0
-    return Flowing(
+    return VoidFlow(
         unknowns, mises - 3.0 * problem.shear * shape, stress, bulk, now.stress, now.slope, max(porosity, 0.0),
         0.0 if is_empty else grown, 0.0 if is_empty else rate, now.variable,
     )  # fmt: skip
@@ -268,7 +271,7 @@ def _matrix(law, problem, now):
 
 @beside_kernel
 def _newton(law, model, flow, problem, mises, room, unknowns, now):
-    """Newton's method, steps halved where a stress would turn round: converged or not, unknowns, `Flowing`."""
+    """Newton's method, steps halved where a stress would turn round: converged or not, unknowns, `VoidFlow`."""
     for _iteration in range(MAXIMUM_ITERATIONS):
         r = _residual(law, now)
         strain = abs(unknowns[0]) + abs(unknowns[1]) + unknowns[2]

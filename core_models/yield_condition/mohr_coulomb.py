@@ -72,7 +72,7 @@ class MohrCoulomb(NamedTuple):
         return ""
 
 
-class Flowing(NamedTuple):
+class PlaneFlow(NamedTuple):
     """State of the iteration for some active planes: principal stresses, ln J_e, mean stress and slope [Pa], increment
     of plastic strain and its slopes by the three multipliers, cohesion and its slope [Pa].
     """
@@ -239,7 +239,7 @@ def _flowing(law, model, flow, problem, values, planes, gammas):
         values[0] - g * strain[0] + stress, values[1] - g * strain[1] + stress, values[2] - g * strain[2] + stress
     )  # fmt: skip
     now = strength(flow, problem, increment)
-    return Flowing(total, volume, stress, bulk, increment, slopes, now.stress, now.slope, now.variable)
+    return PlaneFlow(total, volume, stress, bulk, increment, slopes, now.stress, now.slope, now.variable)
 
 
 @inside_kernel
@@ -292,7 +292,7 @@ def _solved(matrix, det, right):
 
 @beside_kernel
 def _flow_on(law, model, flow, problem, values, planes, limit):
-    """Multipliers of the active planes by Newton's method: converged or not, multipliers, `Flowing`."""
+    """Multipliers of the active planes by Newton's method: converged or not, multipliers, `PlaneFlow`."""
     gammas = (0.0, 0.0, 0.0)
     now = _flowing(law, model, flow, problem, values, planes, gammas)
     for _iteration in range(MAXIMUM_ITERATIONS):
