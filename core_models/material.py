@@ -21,6 +21,7 @@ from core_models.laws import (
     return_to_surface,
     shear_modulus,
     shear_stiffness,
+    stability_measure,
     thermal_volume,
 )
 from core_models.material_checks import cautions, complaints
@@ -46,10 +47,10 @@ SLOTS = {
     "specific_heat": heat_capacity,
     "heating": heated_fraction,
     "expansion": thermal_volume,
+    "stability": stability_measure,
     "erosion": eroded_stress,
     "objective_rate": corotated,
 }
-EMPTY_SLOTS = ("stability",)
 REQUIRED_SLOTS = ("update", "elasticity")
 
 log = logging.getLogger(__name__)
@@ -66,6 +67,7 @@ class Material:
     The other slots : laws of core_models.<slot>; all but eos and elasticity may be left out.
     room_temperature : initial temperature unless a body gives its own [K].
     thermal_conductivity : k [W/(m K)], > 0, or None.
+    damage_radius : of the neighbourhood over which the growth of damage is averaged [m], > 0; None: local damage.
     origins : file and line of each slot in the card that the material comes from, for messages.
 
     Raises
@@ -93,6 +95,7 @@ class Material:
     objective_rate: Any = None
     room_temperature: float = 294.0
     thermal_conductivity: float | None = None
+    damage_radius: float | None = None
     origins: Mapping[str, str] = field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -101,14 +104,10 @@ class Material:
 
     def check_slots(self) -> None:
         """Refuse a law in a slot whose generic function it does not implement."""
-        for slot in EMPTY_SLOTS:
-            if getattr(self, slot) is not None:
-                given = type(getattr(self, slot)).__name__
-                raise self.error(slot, f"the slot {slot} takes no law yet ({given} given): leave it out")
         for slot in SLOTS:
             law, classes = getattr(self, slot), laws_for(slot)
             if law is not None and type(law) not in classes:
-                known = ", ".join(sorted(known.__name__ for known in classes if known is not type(None)))
+                known = ", ".join(sorted(known.__name__ for known in classes))
                 raise self.error(
                     slot, f"{type(law).__name__} is no law for the slot {slot}: use one of {known}"
                 )
@@ -175,9 +174,9 @@ def has_general_return(material: Material) -> bool:
     return other or material.kinematic_hardening is not None
 
 
-def laws_for(slot: str) -> dict:
-    """The classes of laws that a slot takes."""
-    known = SLOTS[slot].implementations
+def laws_for(slot: str) -> set[type]:
+    """The classes of laws that a slot takes, apart from those that only the points make."""
+    known = set(SLOTS[slot].implementations)
     if slot == "yield_condition":
-        return known | return_stress.implementations
-    return {law: how for law, how in known.items() if law is not General}
+        known |= set(return_stress.implementations)
+    return {law for law in known - {type(None), General} if not getattr(law, "is_internal", False)}

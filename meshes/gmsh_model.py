@@ -1,5 +1,7 @@
 """gmsh as a guest: a model of our own that leaves no trace in the terminal or in the caller's own models."""
 
+import ctypes
+import signal
 import threading
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -101,6 +103,7 @@ def _opened(gmsh: ModuleType) -> Iterator[None]:
     """Open gmsh and close it again; where it is open already, restore its current model and options."""
     if not gmsh.isInitialized():
         gmsh.initialize([], readConfigFiles=False, interruptible=False)
+        _keep_ignoring_broken_pipes()
         try:
             _set(gmsh, _OPTIONS)
             yield
@@ -115,6 +118,13 @@ def _opened(gmsh: ModuleType) -> Iterator[None]:
     finally:
         _set(gmsh, before)
         gmsh.model.setCurrent(current)
+
+
+def _keep_ignoring_broken_pipes() -> None:
+    """Take back what gmsh does to SIGPIPE: without Python's knowledge it lets a closed pipe end the process."""
+    if getattr(signal, "SIGPIPE", None) and signal.getsignal(signal.SIGPIPE) is signal.SIG_IGN:
+        # Not signal.signal, which only the main thread may call.
+        ctypes.CDLL(None).signal(ctypes.c_int(signal.SIGPIPE), ctypes.c_void_p(signal.SIG_IGN.value))
 
 
 def _set(gmsh: ModuleType, options: Mapping[str, float]) -> None:

@@ -9,8 +9,10 @@ from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
+from core_models.erosion.delete import DeletePoint
 from core_models.erosion.no_shear import AllowNoShear
 from core_models.erosion.no_tension import AllowNoTension
+from core_models.erosion.preserve_stress import PreserveStress
 from core_models.erosion.zero_stress import ZeroStress
 from core_models.expansion.isotropic import IsotropicExpansion
 from core_models.flow.anand import Anand
@@ -42,6 +44,8 @@ from core_models.shear_modulus.varshni import VarshniShearModulus
 from core_models.specific_heat.constant import ConstantSpecificHeat
 from core_models.specific_heat.copper import CopperSpecificHeat
 from core_models.specific_heat.steel import SteelSpecificHeat
+from core_models.stability.drucker import DruckerStability
+from core_models.stability.hyperbolicity import HyperbolicityLoss
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
@@ -60,6 +64,7 @@ def _shipped(name: str) -> tuple:
 SAMPLES = {
     "update": [HypoelasticPlastic(), HyperelasticPlastic(), CompressibleNeoHookean()],
     "elasticity": [IsotropicElastic(BULK, SHEAR)],
+    "objective_rate": [Logarithmic(), Jaumann()],
     "eos": [DefaultHypoelastic(BULK), NeoHookean(BULK), MieGruneisen(DENSITY, 3940.0, 2.02, 1.489)],
     "flow": [
         PerfectPlasticity(90e6),
@@ -113,6 +118,6 @@ SAMPLES = {
     "specific_heat": [ConstantSpecificHeat(383.0), CopperSpecificHeat(), SteelSpecificHeat()],
     "heating": [TaylorQuinney(0.9), IsentropicHeating(0.9)],
     "expansion": [IsotropicExpansion(1.7e-5, 294.0)],
-    "erosion": [ZeroStress(), AllowNoTension(), AllowNoShear()],
-    "objective_rate": [Jaumann(), Logarithmic()],
+    "stability": [DruckerStability(), HyperbolicityLoss()],
+    "erosion": [ZeroStress(), AllowNoTension(), AllowNoShear(), PreserveStress(), DeletePoint()],
 }  # fmt: skip

@@ -12,7 +12,8 @@ OPTIONS = {
     "plane wall": ("fem-explicit", {"wall": "plane"}),
     "mpm": ("mpm", {}),
     "mpm, plane wall": ("mpm", {"wall": "plane"}),
-    "mpm, total": ("mpm", {"configuration": "total", "wall": "plane"}),
+    "mpm, total": ("mpm", {"configuration": "total", "wall": "plane", "cure": "mean-dilatation"}),
+    "mpm, cpdi": ("mpm", {"interpolation": "cpdi"}),
 }
 
 

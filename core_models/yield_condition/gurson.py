@@ -103,7 +103,7 @@ def effective_porosity(law, porosity):
 @damage_of_porosity.register(Gurson)
 def _(yield_condition, porosity, damage):
     largest = LARGEST_PART * full_porosity(yield_condition)
-    return effective_porosity(yield_condition, porosity)[0] / largest
+    return max(damage, effective_porosity(yield_condition, porosity)[0] / largest)
 
 
 @inside_kernel

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import threading
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -138,3 +139,16 @@ def test_senseless_parameters_are_refused_by_name(wrong, name):
     with pytest.raises(MeshError, match=rf"{name} is .*; give") as caught:
         taylor_bar(**{"radius": RADIUS, "length": LENGTH, "elements_across": 4} | wrong)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="needs Linux's account of signals")
+def test_a_broken_pipe_does_not_end_the_process_after_meshing():
+    """gmsh would take back that Python ignores SIGPIPE: output into `head` then kills without a word."""
+
+    def ignored():
+        status = Path("/proc/self/status").read_text()
+        return int(status.split("SigIgn:")[1].split()[0], 16) >> (signal.SIGPIPE - 1) & 1
+
+    assert ignored()
+    taylor_bar(1.0, 3.0, 3)
+    assert ignored()

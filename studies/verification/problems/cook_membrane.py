@@ -23,7 +23,7 @@ PUBLISHED = (6.97e-3, 7.09e-3)  # m, rise of the upper corner of the end
 TOLERANCE = 0.03
 RAMP, END = 1.2e-3, 1.8e-3  # s, growth of the force and end; the first elastic period is some 70 µs
 DAMPING = 3e4  # 1/s, about critical for the yielding membrane
-COUNTS = {False: (4, 8, 16), True: (4, 8)}
+COUNTS = {False: (4, 8, 12), True: (4, 8)}
 
 
 def body(size: float, kind: str) -> Mesh:
