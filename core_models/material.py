@@ -21,6 +21,7 @@ from core_models.laws import (
     return_to_surface,
     shear_modulus,
     shear_stiffness,
+    stability_measure,
     thermal_volume,
 )
 from core_models.material_checks import cautions, complaints
@@ -46,10 +47,10 @@ SLOTS = {
     "specific_heat": heat_capacity,
     "heating": heated_fraction,
     "expansion": thermal_volume,
+    "stability": stability_measure,
     "erosion": eroded_stress,
     "objective_rate": corotated,
 }
-EMPTY_SLOTS = ("stability",)
 REQUIRED_SLOTS = ("update", "elasticity")
 
 log = logging.getLogger(__name__)
@@ -103,10 +104,6 @@ class Material:
 
     def check_slots(self) -> None:
         """Refuse a law in a slot whose generic function it does not implement."""
-        for slot in EMPTY_SLOTS:
-            if getattr(self, slot) is not None:
-                given = type(getattr(self, slot)).__name__
-                raise self.error(slot, f"the slot {slot} takes no law yet ({given} given): leave it out")
         for slot in SLOTS:
             law, classes = getattr(self, slot), laws_for(slot)
             if law is not None and type(law) not in classes:
