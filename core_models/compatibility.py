@@ -131,6 +131,16 @@ CLASHES = (
         "leave the thermal expansion out",
     ),
     Clash(
+        "stability", PRESENT, "yield_condition", PRESSURE_DEPENDENT,
+        "the stability checks know the tangent of continued flow of von Mises' surface alone",
+        "take vonMises or leave stability out",
+    ),
+    Clash(
+        "stability", PRESENT, "kinematic_hardening", PRESENT,
+        "the stability checks know the tangent of a surface that grows, not of one that moves",
+        "leave one of them out",
+    ),
+    Clash(
         "kinematic_hardening", PRESENT, "yield_condition", (*PRESSURE_DEPENDENT, *ABSENT),
         "back stresses move the surface of von Mises", "take vonMises or leave kinematic_hardening out",
     ),

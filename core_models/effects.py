@@ -4,8 +4,6 @@ from typing import NamedTuple
 
 from core_models.laws import under_pressure, volume_warming
 
-NOT_OFFERED = "the card gives none, and none is offered yet"
-
 
 class Effect(NamedTuple):
     """One physical effect: whether it is simulated, and why."""
@@ -48,7 +46,7 @@ def material_effects(m) -> list[Effect]:
         _effect(
             "erosion", m.erosion, "the card asks for none: damage is computed and reported, it does not act"
         ),
-        _effect("loss of stability", m.stability, NOT_OFFERED),
+        _effect("loss of stability", m.stability, "the card asks for no stability_check"),
     ]
 
 

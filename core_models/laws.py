@@ -243,6 +243,19 @@ def _(damage, strain_increment, plastic_rate, temperature, mean_stress, equivale
 
 
 @generic
+def stability_measure(stability, tangents, stresses, bulk_modulus, shear_modulus):
+    """How far points are from an instability [-]: about 1 in the elastic body at rest, lost at and below 0; (n,).
+
+    For arrays, between steps: it runs in no kernel.
+
+    Parameters
+    ----------
+    tangents : (n, 3, 3, 3, 3) change of the first Piola stress with the velocity gradient, da_ij = a_ijkl dl_kl, in the
+    present configuration [Pa]. stresses : (n, 3, 3) Cauchy stress [Pa]. bulk_modulus, shear_modulus : at rest [Pa].
+    """
+
+
+@generic
 def eroded_stress(erosion, damage, deviator, mean_stress):
     """Deviator and mean stress that a point whose damage variable is `damage` carries; all of it below 1."""
 

@@ -21,6 +21,7 @@ from core_models.laws import (
     return_to_surface,
     shear_modulus,
     shear_stiffness,
+    stability_measure,
     thermal_volume,
 )
 from core_models.material_checks import cautions, complaints
@@ -46,10 +47,10 @@ SLOTS = {
     "specific_heat": heat_capacity,
     "heating": heated_fraction,
     "expansion": thermal_volume,
+    "stability": stability_measure,
     "erosion": eroded_stress,
     "objective_rate": corotated,
 }
-EMPTY_SLOTS = ("stability",)
 REQUIRED_SLOTS = ("update", "elasticity")
 
 log = logging.getLogger(__name__)
@@ -66,6 +67,7 @@ class Material:
     The other slots : laws of core_models.<slot>; all but eos and elasticity may be left out.
     room_temperature : initial temperature unless a body gives its own [K].
     thermal_conductivity : k [W/(m K)], > 0, or None.
+    damage_radius : of the neighbourhood over which the growth of damage is averaged [m], > 0; None: local damage.
     origins : file and line of each slot in the card that the material comes from, for messages.
 
     Raises
@@ -93,6 +95,7 @@ class Material:
     objective_rate: Any = None
     room_temperature: float = 294.0
     thermal_conductivity: float | None = None
+    damage_radius: float | None = None
     origins: Mapping[str, str] = field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -101,10 +104,6 @@ class Material:
 
     def check_slots(self) -> None:
         """Refuse a law in a slot whose generic function it does not implement."""
-        for slot in EMPTY_SLOTS:
-            if getattr(self, slot) is not None:
-                given = type(getattr(self, slot)).__name__
-                raise self.error(slot, f"the slot {slot} takes no law yet ({given} given): leave it out")
         for slot in SLOTS:
             law, classes = getattr(self, slot), laws_for(slot)
             if law is not None and type(law) not in classes:

@@ -48,7 +48,7 @@ def cautions(m: Any) -> Iterator[Remark]:
         told = law.caution() if hasattr(law, "caution") else ""
         if told:
             yield Remark(slot, told)
-    if getattr(m.damage, "coupling", 0.0) > 0.0:
+    if getattr(m.damage, "coupling", 0.0) > 0.0 and m.damage_radius is None:
         yield Remark("damage", f"damage weakens the flow stress: {UNREGULARISED}")
     strain = _softening_strain(m) if m.flow is not None else math.inf
     if strain < math.inf:
@@ -73,6 +73,15 @@ def _constants(m: Any) -> Iterator[Remark]:
         yield Remark(
             "update",
             f"thermal_conductivity must be positive, not {m.thermal_conductivity!r} W/(m K): leave it out if unknown",
+        )
+    if m.damage_radius is not None and not m.damage_radius > 0.0:
+        yield Remark(
+            "damage",
+            f"damage_radius must be positive, not {m.damage_radius!r} m: leave it out for local damage",
+        )
+    if m.damage_radius is not None and m.damage is None:
+        yield Remark(
+            "damage", "damage_radius averages damage, and there is none: add a damage law or leave it out"
         )
 
 

@@ -17,7 +17,7 @@ from core_models.checkpoint import (
 
 VALUES = (
     "positions", "velocities", "affine", "volume_ratio", "time", "time_step", "step_count", "point_updates",
-    "_last_step", "_first_step", "_kinetic", "wall_impulse", "wall_force",
+    "_last_step", "_first_step", "_kinetic", "_stress_power", "_ahead", "wall_impulse", "wall_force",
 )  # fmt: skip
 CONDUCTION = ("gradients", "limit")
 CURE = ("stretch",)
@@ -59,5 +59,6 @@ class Restartable:
             put_values(self._conduction, CONDUCTION, part_of(checkpoint, "conduction"))
         if self._cure is not None:
             put_values(self._cure, CURE, part_of(checkpoint, "cure"))
+        self._background.convect(self.points.old_deformation_gradient)
         restore_ledger(self.ledger, part_of(checkpoint, "ledger"))
         self._filled = False

@@ -33,7 +33,7 @@ def plan_text(
         f"wall     {wall}{_friction(scene)}\n"
         f"end      {_end(scene, wall)}\n"
         f"material {_laws(scene.material)}",
-        aligned(_effect_rows(scene, wall)),
+        aligned(_effect_rows(scene, wall, methods or tuple(METHODS))),
         aligned(_run_rows(scene, methods or tuple(METHODS), resolutions, wall)),
     ]
     if scene.bar.temperature >= melting_temperature(scene.material.melting):
@@ -66,8 +66,8 @@ def _end(scene: Scene, wall: str) -> str:
     return limit
 
 
-def _effect_rows(scene: Scene, wall: str) -> list[list[str]]:
-    effects = scene_effects(scene, wall)
+def _effect_rows(scene: Scene, wall: str, methods: tuple[str, ...]) -> list[list[str]]:
+    effects = scene_effects(scene, wall, methods)
     width = max(len(effect.reason) for effect in effects)
     return [[e.name, "on " if e.on else "off", e.reason.ljust(width)] for e in effects]
 

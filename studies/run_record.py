@@ -27,7 +27,10 @@ def run_entry(result: RunResult) -> dict:
         "cost": asdict(result.cost),
         "conservation": result.conservation,
         "energies": result.energies,
-        "effects": [effect_entry(effect) for effect in scene_effects(result.scene, result.wall)],
+        "numerical_fracture": result.numerical_fracture,
+        "effects": [
+            effect_entry(effect) for effect in scene_effects(result.scene, result.wall, (result.method,))
+        ],
     }
 
 

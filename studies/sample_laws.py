@@ -43,6 +43,8 @@ from core_models.shear_modulus.varshni import VarshniShearModulus
 from core_models.specific_heat.constant import ConstantSpecificHeat
 from core_models.specific_heat.copper import CopperSpecificHeat
 from core_models.specific_heat.steel import SteelSpecificHeat
+from core_models.stability.drucker import DruckerStability
+from core_models.stability.hyperbolicity import HyperbolicityLoss
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
@@ -108,5 +110,6 @@ SAMPLES = {
     "specific_heat": [ConstantSpecificHeat(383.0), CopperSpecificHeat(), SteelSpecificHeat()],
     "heating": [TaylorQuinney(0.9), IsentropicHeating(0.9)],
     "expansion": [IsotropicExpansion(1.7e-5, 294.0)],
+    "stability": [DruckerStability(), HyperbolicityLoss()],
     "erosion": [ZeroStress(), AllowNoTension(), AllowNoShear(), PreserveStress(), DeletePoint()],
 }  # fmt: skip

@@ -12,8 +12,7 @@ OPTIONS = {
     "plane wall": ("fem-explicit", {"wall": "plane"}),
     "mpm": ("mpm", {}),
     "mpm, plane wall": ("mpm", {"wall": "plane"}),
-    "mpm, total": ("mpm", {"configuration": "total", "wall": "plane"}),
-    "mpm, total, cured": ("mpm", {"configuration": "total", "wall": "plane", "cure": "mean-dilatation"}),
+    "mpm, total": ("mpm", {"configuration": "total", "wall": "plane", "cure": "mean-dilatation"}),
     "mpm, cpdi": ("mpm", {"interpolation": "cpdi"}),
 }
 

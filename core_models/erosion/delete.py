@@ -14,8 +14,8 @@ class DeletePoint(NamedTuple):
     ----------
     decay_time : what is lost decays as exp(-(t - t_failure) / decay_time) [s]; 0: at once.
 
-    It carries no stress ever again, has no wave speed that could limit the step, and no deformation stops it, not even
-    that of an inverted element. Its mass stays where it is as debris, so that mass and momentum are kept.
+    It carries no stress ever again, has no wave speed that could limit the step, and no deformation stops it; a finite
+    element that turns inside out still ends the run. Its mass stays as debris, so that mass and momentum are kept.
     With a decay time it is out once less than 1e-6 is left.
     Source: element deletion as in explicit finite element codes; Uintah deletes such particles.
     """

@@ -25,6 +25,8 @@ from core_models.schema.flow import FLOW
 from core_models.schema.quantities import HEATED_FRACTION, TOLERANCE
 from core_models.schema.state_functions import MELTING, SHEAR_MODULUS, SPECIFIC_HEAT
 from core_models.schema.yielding import KINEMATIC_HARDENING, YIELD_CONDITION
+from core_models.stability.drucker import DruckerStability
+from core_models.stability.hyperbolicity import HyperbolicityLoss
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
@@ -155,8 +157,16 @@ STABILITY = SlotSchema(
     tags=("stability_check",),
     places=("constitutive_model",),
     absent="none",
+    models=(
+        ModelSchema(("drucker",), DruckerStability, "second-order work; reported, it does not act"),
+        ModelSchema(
+            ("acoustic", "becker"),
+            HyperbolicityLoss,
+            "determinant of the acoustic tensor; reported, it does not act",
+        ),
+    ),
     plain=("none",),
-    unavailable=("drucker", "becker", "drucker_becker", "acoustic"),
+    unavailable=("drucker_becker",),
 )
 
 SLOTS = (

@@ -25,7 +25,6 @@ from core_models.updates.conditions import shear_before
 from core_models.updates.prediction import NO_STRESS
 
 FOUR_THIRDS = 4.0 / 3.0
-SLOWEST_WAVE = 1.0  # m/s, of a point that is out: it limits no step
 
 
 class Balance(NamedTuple):
@@ -122,7 +121,7 @@ def left_behind(before):
         before.damage,
         before.internal_energy,
     )
-    return after, Balance(SLOWEST_WAVE, 0.0, 0.0, 0.0, 0.0)
+    return after, Balance(0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @inside_kernel

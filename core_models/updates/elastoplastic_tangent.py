@@ -70,24 +70,26 @@ def linearise_elastoplastic(update, rows, statuses, count, model, dt, start, str
         before, prediction, correction = get_point(rows, k), get_prediction(rows, k), get_correction(rows, k)
         after, balance = complete_point(model, None, prediction, correction, dt, get(rows, LENGTH, k), before)
         if statuses[k] == OK:
+            flow = flow_before(model, before, prediction.volume_ratio_0)
+            modulus = hardening_modulus(flow, correction.increment, 1.0 / dt, before)
             linearise_point(
                 model, get_tensor(rows, F0, k), get_tensor(rows, F1, k), before, after, prediction, correction,
-                1.0 / dt, start + k, stresses, tangents,
+                modulus, start + k, stresses, tangents,
             )  # fmt: skip
         put_point(rows, k, after)
         put_balance(rows, k, balance)
 
 
 @inside_kernel
-def linearise_point(model, f0, f1, before, after, prediction, correction, over_dt, place, stresses, tangents):
-    """Write first Piola stress and tangent of a point, from its states before and after the step."""
+def linearise_point(model, f0, f1, before, after, prediction, correction, modulus, place, stresses, tangents):
+    """Write first Piola stress and tangent of a point, from its states before and after the step and the hardening
+    modulus of the step.
+    """
     j = prediction.volume_ratio_1
     inverse_f = inverse(f1, determinant(f1))
     tau = scaled(after.stress, j)
     put_stress(stresses, place, tau, inverse_f)
     motion = kinematics(model.update, model, f0, f1, before, prediction)
-    flow = flow_before(model, before, prediction.volume_ratio_0)
-    modulus = hardening_modulus(flow, correction.increment, over_dt, before)
     mean_stress = mean(after.stress)
     by_volume, by_work = pressure_slopes(model, prediction, before, after, mean_stress)
     measure = stress_measure(model.update, j)

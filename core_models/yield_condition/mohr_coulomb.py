@@ -34,6 +34,7 @@ PLANES = (
     (3, 0, NO_PLANE),
     (3, 0, 1),
     (3, 4, 0),
+    (3, 0, 2),
 )
 APEX = len(PLANES) + 1
 CLOSE = 1e-6  # of the largest principal stress: principal values that count as equal

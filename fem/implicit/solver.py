@@ -92,6 +92,7 @@ class ImplicitSolver(ShapeReadout):
         self.mass = float(self._body.nodal_mass.sum())
         volumes = self._body.space.tables.weights.ravel()
         self.points = MaterialPoints(material, volumes, temperature, None, self.threads)
+        self.points.connect(self.reference_positions)
         self.positions = self.mesh.points.copy()
         self._supports = Supports(loads, self.mesh, self.geometry)
         projection = make_cure(self.cure, self.mesh, self._body.space)

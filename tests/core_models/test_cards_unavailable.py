@@ -35,8 +35,7 @@ def test_known_but_unavailable_model_says_so(refused, block, types):
     "block",
     [
         '<yield_condition type="gurson"/>',
-        '<stability_check type="drucker"/>',
-        '<stability_check type="becker"/>',
+        '<stability_check type="drucker_becker"/>',
         '<melting_temp_model type="linear_Tm"/>',
         '<specific_heat_model type="cubic_Cp"/>',
         '<erosion algorithm="RemoveMass"/>',

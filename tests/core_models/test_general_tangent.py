@@ -32,6 +32,7 @@ CONES = {
     "edge in tension": (MohrCoulomb(30, 10), [0.02, -0.01, -0.0101]),
     "apex of the pyramid": (MohrCoulomb(30, 10), [0.02, 0.011, 0.015]),
     "cut-off": (MohrCoulomb(30, 10, 0.5e6), [0.02, -0.005, -0.006]),
+    "where two edges meet": (MohrCoulomb(30, 10, 0.5e6), [0.012, 0.011, -0.012]),
     "corner of the cut-off": (MohrCoulomb(30, 10, 0.5e6), [0.02, 0.018, -0.01]),
 }
 

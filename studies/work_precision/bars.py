@@ -1,0 +1,63 @@
+"""Taylor bars as work-precision problems: final length and foot radius."""
+
+from dataclasses import replace
+from typing import Any
+
+from studies.bar_outline import bar_outline
+from studies.bar_shape import foot_radius, length
+from studies.methods import build_solver
+from studies.scene import End, Scene
+from studies.scene_reader import read_scene
+from studies.work_precision.problem import Reference, WorkProblem
+
+QUANTITIES = ("final_length", "foot_radius")
+RESOLUTIONS = {"fem-explicit": (4, 6, 8, 12, 16), "mpm": (6, 8, 12, 16, 24)}
+VARIANTS = ("fem-explicit", "fem-explicit:reduced", "fem-explicit:quad8", "mpm", "mpm:cubic", "mpm:total")
+PUBLISHED = 0.0005  # relative uncertainty of a published value that is given to four digits
+JOINT = Reference(None, 0.0, "joint extrapolation of all runs")
+UNTIL_STANDING = {"taylor-copper-jc": 80e-6}  # s: a fixed end in place of one that depends on the rebound
+
+
+def bar_problem(scene_name: str, wall: str | None = None) -> WorkProblem:
+    """The problem of a shipped scene or a scene's file under a wall, by default the scene's own."""
+    scene = read_scene(scene_name)
+    return scene_problem(_with_fixed_end(scene), wall or scene.wall)
+
+
+def scene_problem(scene: Scene, wall: str) -> WorkProblem:
+    """The problem of a scene that ends at a fixed time."""
+    published = {
+        reference.quantity: Reference(
+            0.5 * (reference.low + reference.high),
+            max(0.5 * (reference.high - reference.low), PUBLISHED * reference.low),
+            reference.source,
+        )
+        for reference in scene.references
+        if reference.wall == wall and not reference.source.startswith("experiment")
+    }
+
+    def build(variant: str, resolution: int) -> Any:
+        return build_solver(scene, variant, resolution, wall, 1)
+
+    def finish(solver: Any) -> dict[str, float]:
+        end = scene.end.limit(wall)
+        while solver.time < end:
+            solver.advance(end)
+        outline = bar_outline(solver)
+        return {"final_length": length(outline), "foot_radius": foot_radius(outline)}
+
+    return WorkProblem(
+        f"{scene.name}-{wall}",
+        f"{scene.name}, wall {wall}, {scene.end.limit(wall) * 1e6:g} µs",
+        {name: published.get(name, JOINT) for name in QUANTITIES},
+        RESOLUTIONS,
+        VARIANTS,
+        build,
+        finish,
+    )
+
+
+def _with_fixed_end(scene: Scene) -> Scene:
+    if scene.end.time is not None:
+        return scene
+    return replace(scene, end=End(time=UNTIL_STANDING.get(scene.name, scene.end.limit("plane"))))

@@ -1,0 +1,104 @@
+"""The work-precision study: every variant at five or more resolutions, what each costs and gives."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from core_models.errors import SceneError
+from core_models.names import suggestion
+from studies.output_folder import OutputFolder
+from studies.report.study_page import Report, write_report
+from studies.run_record import to_json
+from studies.shipped_scenes import shipped_scenes
+from studies.variants import read_variant
+from studies.versions import processor, versions
+from studies.work_precision import vibration, vortex
+from studies.work_precision.bars import bar_problem
+from studies.work_precision.measurement import Measurement, measure_run
+from studies.work_precision.problem import WorkProblem
+from studies.work_precision.tables import report_of
+
+EXACT = {"vibrating-bar": vibration.PROBLEM, "vortex": vortex.PROBLEM}
+FEWEST = 5
+REPEATS = 3
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """All measurements and their report; remark : what could not be written, or nothing."""
+
+    runs: list[Measurement]
+    report: Report
+    remark: str
+
+
+def find_problem(name: str, wall: str | None = None) -> WorkProblem:
+    """The problem of a name: one with an exact answer, or a scene, shipped or in a file, under a wall.
+
+    Raises SceneError naming the nearest one; CardError for a scene's file that cannot be read.
+    """
+    if name in EXACT:
+        if wall is not None:
+            raise SceneError(f"{name} has no wall: leave --wall out")
+        return EXACT[name]
+    if name not in shipped_scenes() and Path(name).suffix != ".xml":
+        known = [*EXACT, *shipped_scenes()]
+        raise SceneError(f"no problem or scene is called {name!r}; {suggestion(name, known)}")
+    return bar_problem(name, wall)
+
+
+def planned(
+    problem: WorkProblem, variants: tuple[str, ...] | None, resolutions: tuple[int, ...] | None
+) -> list[tuple[str, int]]:
+    """Every variant at every resolution, coarse to fine; SceneError for fewer than five resolutions."""
+    if resolutions is not None and len(set(resolutions)) < FEWEST:
+        raise SceneError(
+            f"{len(set(resolutions))} resolutions show no order: give {FEWEST} or more, like 4,6,8,12,16"
+        )
+    chosen = variants or problem.variants
+    return [
+        (variant, resolution)
+        for variant in dict.fromkeys(chosen)
+        for resolution in sorted(set(resolutions or problem.resolutions[read_variant(variant).solver]))
+    ]
+
+
+def compare_work(
+    problem: WorkProblem,
+    out: Path | str,
+    *,
+    variants: tuple[str, ...] | None = None,
+    resolutions: tuple[int, ...] | None = None,
+    repeats: int = REPEATS,
+    tell: Callable[[Measurement], None] = lambda run: None,
+) -> Outcome:
+    """Measure all and write results.json, tables as CSV, report.html and report.md.
+
+    Runs are made one after the other in this process, on one thread. tell : called with each.
+    Raises SceneError for unknown variants and OutputError for a folder in use before anything is run.
+    """
+    plan = planned(problem, variants, resolutions)
+    with OutputFolder(out) as folder:
+        runs = []
+        for variant, resolution in plan:
+            run = measure_run(
+                variant,
+                resolution,
+                lambda variant=variant, resolution=resolution: problem.build(variant, resolution),
+                problem.finish,
+                repeats,
+            )
+            runs.append(run)
+            tell(run)
+        report = report_of(problem, runs, repeats)
+        record = {
+            "study": "work-precision",
+            "problem": problem.name,
+            "repeats": repeats,
+            "runs": [run.as_json() for run in runs],
+            "versions": versions(),
+            "processor": processor(),
+        }
+        folder.write_text("results.json", to_json(record))
+        remark = write_report(report, folder)
+    return Outcome(runs, report, remark)

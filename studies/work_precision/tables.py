@@ -1,0 +1,165 @@
+"""The report of a work-precision study: time to reach given errors first, then everything behind it."""
+
+from collections.abc import Iterable
+
+from studies.report.study_page import Report, Section
+from studies.verification.outcome import Curve, Plot, Table
+from studies.work_precision.analysis import (
+    LEVELS,
+    RESOLVABLE,
+    Reach,
+    by_variant,
+    joint_reference,
+    order_of,
+    pareto_front,
+    reach,
+    relative_error,
+)
+from studies.work_precision.measurement import Measurement
+from studies.work_precision.problem import Reference, WorkProblem
+
+PERCENT = 100.0
+LEAD = (
+    "Processor seconds that each variant needs for a given error, kernels compiled beforehand, one thread. "
+    "How it is measured: docs/work-precision.md."
+)
+
+
+def references_of(problem: WorkProblem, runs: list[Measurement]) -> dict[str, Reference]:
+    """References of all quantities; those that are to be extrapolated from the runs are."""
+    return {
+        name: joint_reference(runs, name) if reference.value is None else reference
+        for name, reference in problem.references.items()
+    }
+
+
+def report_of(problem: WorkProblem, runs: list[Measurement], repeats: int) -> Report:
+    """The whole report."""
+    references = references_of(problem, runs)
+    failures = [run for run in runs if not run.values]
+    facts = (f"{len(runs)} runs", f"median of {repeats}", f"{len(failures)} without an answer")
+    sections = [
+        Section(
+            f"reach-{name}",
+            f"Time to reach an error of the {_words(name)}",
+            (reach_table(runs, name, reference),),
+        )
+        for name, reference in references.items()
+    ]
+    sections += [
+        Section(
+            f"errors-{name}",
+            f"Error of the {_words(name)}",
+            (_errors_table(runs, name, reference),),
+            tuple(_plots(runs, name, reference)),
+        )
+        for name, reference in references.items()
+    ]
+    sections += [
+        Section("runs", "Every run", (_runs_table(runs, tuple(references)),)),
+        Section("failures", "Refused or gone wrong", (_failures_table(failures),)),
+    ]
+    return Report(f"Work and precision: {problem.title}", LEAD, facts, tuple(sections))
+
+
+def reach_table(runs: list[Measurement], quantity: str, reference: Reference) -> Table:
+    """Seconds to reach each level by variant; the fastest measured or interpolated one of a level is starred."""
+    groups = by_variant(runs)
+    found = {
+        name: [reach(group, quantity, reference, level) for level in LEVELS] for name, group in groups.items()
+    }
+    fastest = [
+        min((times[k].seconds for times in found.values() if times[k].seconds is not None), default=None)
+        for k in range(len(LEVELS))
+    ]
+    rows = [
+        (name, *(_reach_text(time, fastest[k]) for k, time in enumerate(times)))
+        for name, times in found.items()
+    ]
+    head = ("variant", *(f"{PERCENT * level:g} % [s]" for level in LEVELS))
+    note = (
+        f"Reference: {_reference_text(reference)}. Interpolated between runs; ≤: the coarsest run has it already; "
+        f"~: extrapolated; not resolvable: below {RESOLVABLE:g} times the reference's uncertainty; *: the fastest."
+    )
+    return Table("Processor seconds", head, tuple(rows), note)
+
+
+def _reach_text(time: Reach, fastest: float | None) -> str:
+    if time.seconds is None:
+        return time.how
+    mark = {"measured": "≤ ", "extrapolated": "~ "}.get(time.how, "")
+    star = " *" if fastest is not None and time.seconds == fastest else ""
+    return f"{mark}{time.seconds:.2g}{star}"
+
+
+def _reference_text(reference: Reference) -> str:
+    if reference.value is None:
+        return reference.source
+    if reference.value == 0.0:
+        return reference.source
+    return f"{reference.value:.6g} ± {reference.uncertainty:.1g}, {reference.source}"
+
+
+def _errors_table(runs: list[Measurement], quantity: str, reference: Reference) -> Table:
+    if reference.value is None:
+        return Table("Errors", ("variant",), ())
+    front = set(map(id, pareto_front(runs, quantity, reference)))
+    rows = []
+    for name, group in by_variant(runs).items():
+        errors = [relative_error(run, quantity, reference) for run in group]
+        order = order_of([run.resolution for run in group], errors)
+        for run, error in zip(group, errors, strict=True):
+            best = "yes" if id(run) in front else ""
+            rows.append(
+                (f"{name} {run.resolution}", run.values[quantity], PERCENT * error, run.seconds, order, best)
+            )
+    head = ("run", "value [SI]", "error [%]", "s", "observed order", "on the Pareto front")
+    return Table("Errors", head, tuple(rows), f"Reference: {_reference_text(reference)}.")
+
+
+def _plots(runs: list[Measurement], quantity: str, reference: Reference) -> Iterable[Plot]:
+    if reference.value is None:
+        return
+    works = {"processor time [s]": "seconds", "point updates": "point_updates"}
+    for label, attribute in works.items():
+        curves = [
+            Curve(
+                name,
+                tuple(float(getattr(run, attribute)) for run in group),
+                tuple(max(PERCENT * relative_error(run, quantity, reference), 1e-6) for run in group),
+                "fem" if name.startswith("fem") else "mpm",
+            )
+            for name, group in by_variant(runs).items()
+        ]
+        yield Plot(f"Error of the {_words(quantity)}", label, "error [%]", tuple(curves), logarithmic=True)
+
+
+def _runs_table(runs: list[Measurement], quantities: tuple[str, ...]) -> Table:
+    rows = [
+        (
+            f"{run.variant} {run.resolution}", run.points, run.steps, run.point_updates, run.seconds, run.spread,
+            run.compile_s, round(run.memory_bytes / 2**20), *(run.values[name] for name in quantities),
+        )
+        for run in runs if run.values
+    ]  # fmt: skip
+    head = (
+        "run",
+        "points",
+        "steps",
+        "point updates",
+        "s",
+        "slowest / fastest",
+        "compile s",
+        "MiB",
+        *quantities,
+    )
+    return Table("Runs", head, tuple(rows))
+
+
+def _failures_table(failures: list[Measurement]) -> Table:
+    rows = tuple((f"{run.variant} {run.resolution}", run.message) for run in failures)
+    return Table("What the program said", ("run", "message"), rows)
+
+
+def _words(quantity: str) -> str:
+    return quantity.replace("_", " ")

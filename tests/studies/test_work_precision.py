@@ -1,0 +1,157 @@
+"""Work and precision: times to reach errors from runs whose answer is known, and a small study of a tiny bar."""
+
+import csv
+import json
+import math
+
+import pytest
+
+from core_models.errors import RunFailure, SceneError
+from studies.command_line import main
+from studies.work_precision.analysis import (
+    EXTRAPOLATED,
+    INTERPOLATED,
+    MEASURED,
+    NOT_REACHED,
+    NOT_RESOLVABLE,
+    joint_reference,
+    order_of,
+    pareto_front,
+    reach,
+    relative_error,
+)
+from studies.work_precision.measurement import Measurement, measure_run
+from studies.work_precision.problem import Reference
+from studies.work_precision.study import compare_work, find_problem, planned
+from studies.work_precision.tables import reach_table
+
+EXACT = Reference(2.0, 0.0, "made")
+RESOLUTIONS = (4, 8, 16, 32, 64)
+
+
+def sequence(name="fem-explicit", order=2.0, error=0.16, seconds=1e-3, cost=3.0):
+    """Runs with an error of `error` at 4 that falls with an order, and seconds that grow with another."""
+    return [
+        Measurement(
+            name, n, {"u": 2.0 * (1.0 + error * (4.0 / n) ** order)}, seconds * (n / 4.0) ** cost, points=n
+        )
+        for n in RESOLUTIONS
+    ]
+
+
+def test_time_between_two_runs_is_interpolated_in_logarithms():
+    """Errors 16, 4, 1, 0.25, 0.0625 % in 1, 8, 64 ms, ...: 2 % lies halfway between 8 and 64 in logarithms."""
+    found = reach(sequence(), "u", EXACT, 0.02)
+    assert found.how == INTERPOLATED
+    assert found.seconds == pytest.approx(math.sqrt(8e-3 * 64e-3), rel=1e-9)
+
+
+def test_an_error_that_the_coarsest_run_has_is_measured():
+    """No time below the fastest run is made up."""
+    found = reach(sequence(error=0.01), "u", EXACT, 0.05)
+    assert (found.seconds, found.how) == (1e-3, MEASURED)
+
+
+def test_an_error_below_the_finest_is_extrapolated_by_both_orders():
+    """Error falls by h^2, time grows by h^-3: a quarter of the error takes 8 times as long; far off is not reached."""
+    runs = sequence()
+    finest = runs[-1]
+    found = reach(runs, "u", EXACT, relative_error(finest, "u", EXACT) / 4.0)
+    assert found.how == EXTRAPOLATED and found.seconds == pytest.approx(8.0 * finest.seconds, rel=1e-6)
+    assert reach(runs, "u", EXACT, 1e-7).how == NOT_REACHED
+    assert reach(sequence(order=0.0), "u", EXACT, 0.01).how == NOT_REACHED
+
+
+def test_a_curve_that_crosses_the_reference_by_chance_gains_nothing():
+    """An error counts as reached where all finer runs keep it."""
+    runs = sequence(order=1.0)
+    runs[1] = Measurement("fem-explicit", 8, {"u": 2.0}, 8e-3)
+    assert reach(runs, "u", EXACT, 0.03).seconds > runs[2].seconds
+
+
+def test_levels_below_the_references_own_uncertainty_are_not_resolvable():
+    """Three times the uncertainty is the least."""
+    doubtful = Reference(2.0, 0.01, "made")
+    assert reach(sequence(), "u", doubtful, 0.0149).how == NOT_RESOLVABLE
+    assert reach(sequence(), "u", doubtful, 0.0151).how == INTERPOLATED
+
+
+def test_the_joint_reference_is_where_all_variants_tend_to():
+    """Three variants with limits alike: the value is found; ones that disagree make it as uncertain as they differ."""
+    alike = [*sequence("a"), *sequence("b", error=-0.1), *sequence("c", order=1.5)]
+    found = joint_reference(alike, "u")
+    assert found.value == pytest.approx(2.0, rel=1e-4) and found.uncertainty < 2e-3
+    moved = [Measurement("d", run.resolution, {"u": run.values["u"] + 0.1}, 1.0) for run in sequence()]
+    assert joint_reference([*sequence("a"), *moved], "u").uncertainty >= 0.04
+    assert joint_reference(sequence()[:2], "u").value is None
+
+
+def test_order_and_front():
+    """The slope of the errors; runs that are beaten in both are not on the front."""
+    runs = sequence()
+    assert order_of(list(RESOLUTIONS), [relative_error(run, "u", EXACT) for run in runs]) == pytest.approx(
+        2.0
+    )
+    slower = sequence("slow", seconds=2e-3, error=0.17)
+    assert pareto_front([*runs, *slower], "u", EXACT) == runs
+
+
+def test_the_table_stars_the_fastest_of_each_level():
+    """One star a column at most, at the variant that is twice as fast."""
+    table = reach_table([*sequence("quick"), *sequence("slow", seconds=2e-3)], "u", EXACT)
+    rows = {row[0]: row[1:] for row in table.rows}
+    assert all(cell.endswith("*") for cell in rows["quick"] if cell != NOT_REACHED)
+    assert not any(cell.endswith("*") for cell in rows["slow"])
+
+
+def test_what_goes_wrong_is_a_message_and_no_number():
+    """The study goes on."""
+
+    def refuse():
+        raise RunFailure("step 3: not finite")
+
+    run = measure_run("mpm", 4, refuse, lambda solver: {}, 1)
+    assert run.message == "step 3: not finite" and not run.values
+
+
+def test_a_small_study_leaves_tables_and_reports(tmp_path):
+    """A bar of two periods by finite elements: errors fall with second order, CSV, Markdown and HTML say the same."""
+    problem = find_problem("vibrating-bar")
+    outcome = compare_work(
+        problem, tmp_path / "out", variants=("fem-explicit",), resolutions=(1, 2, 3, 4, 5), repeats=1
+    )
+    assert all(run.values and run.seconds > 0.0 and run.memory_bytes > 1e6 for run in outcome.runs)
+    rows = list(csv.reader((tmp_path / "out/errors-period.csv").open()))
+    errors = [float(row[2]) for row in rows[1:]]
+    assert errors == sorted(errors, reverse=True) and errors[-1] < 0.5
+    record = json.loads((tmp_path / "out/results.json").read_text())
+    assert [run["resolution"] for run in record["runs"]] == [1, 2, 3, 4, 5]
+    for name in ("report.html", "report.md"):
+        assert "Time to reach an error of the period" in (tmp_path / "out" / name).read_text()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["vibrating-bra"], "vibrating-bar"),
+        (["vibrating-bar", "--resolutions", "1,2"], "5 or more"),
+        (["vibrating-bar", "--wall", "plane"], "has no wall"),
+        (["taylor-classic", "--methods", "fem-explicit:hex9"], "hex8"),
+    ],
+)
+def test_bad_input_is_one_line(arguments, told, tmp_path, capsys):
+    """Status 2, and no folder."""
+    assert main(["study", "work-precision", *arguments, "--out", str(tmp_path / "out")]) == 2
+    assert told in capsys.readouterr().err and not (tmp_path / "out").exists()
+
+
+def test_scenes_know_what_to_be_held_against():
+    """The plane wall has published values, the unilateral one is extrapolated; every problem has five resolutions."""
+    published = find_problem("taylor-classic", "plane").references
+    assert published["foot_radius"].value == 7.2256e-3 and published["foot_radius"].uncertainty < 1e-5
+    assert find_problem("taylor-classic").references["foot_radius"].value is None
+    for name in ("taylor-copper-jc", "vibrating-bar", "vortex"):
+        problem = find_problem(name)
+        assert len(planned(problem, None, None)) >= 5 * len(problem.variants)
+    with pytest.raises(SceneError, match="5 or more"):
+        planned(problem, None, (4, 8))
