@@ -1,6 +1,8 @@
 """One run as plain text for the terminal."""
 
 from studies.display import shown, shown_name, shown_unit
+from studies.effects_study.decision_text import decisions_text
+from studies.effects_study.decisions import decisions
 from studies.run_result import RunResult
 from studies.text_table import aligned
 
@@ -22,5 +24,6 @@ def run_text(result: RunResult) -> str:
     return (
         f"{result.scene.name}, {result.label}, wall {result.wall}; ended {result.ended}\n\n{table}\n\n"
         f"{result.points} points, {cost.steps} steps, {cost.wall_s:.1f} s in all "
-        f"(compilation {cost.compile_s:.1f} s); energy closes to {100.0 * result.conservation['energy']:.3f} %"
+        f"(compilation {cost.compile_s:.1f} s); energy closes to {100.0 * result.conservation['energy']:.3f} %\n\n"
+        f"effects, decided from the scene's numbers\n{decisions_text(decisions(result.scene, result.wall))}"
     )
