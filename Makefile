@@ -1,4 +1,5 @@
 # make taylor   the main job: the copper cylinder by MPM and by FEM; prints a table and the path of the report
+# make necking  a bar pulled until it necks, by several methods; prints verdicts and the path of the report
 # make test     the tests
 # make setup    only the set-up, which the others do by themselves
 # make lint     style and format of the sources
@@ -9,11 +10,15 @@ EXTRAS ?= dev,view
 VENV := .venv
 READY := $(VENV)/ready
 
-.PHONY: taylor test setup lint clean
+.PHONY: taylor necking test setup lint clean
 
 taylor: $(READY)
 	rm -rf results/taylor
 	$(VENV)/bin/matpoint compare taylor-copper-jc --out results/taylor
+
+necking: $(READY)
+	rm -rf results/necking
+	$(VENV)/bin/matpoint study necking --out results/necking
 
 test: $(READY)
 	$(VENV)/bin/python -m pytest -n 2 --dist loadfile

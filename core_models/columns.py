@@ -5,6 +5,7 @@ import numpy as np
 from core_models.compilation import inside_kernel
 from core_models.dispatch import generic
 from core_models.rows import (
+    BACK_STRESS,
     BALANCE,
     DAMAGE,
     ELASTIC,
@@ -14,6 +15,8 @@ from core_models.rows import (
     HARDENING,
     LENGTH,
     PLASTIC_STRAIN,
+    PLASTIC_VOLUME,
+    POROSITY,
     ROTATION_0,
     ROTATION_1,
     STRESS,
@@ -44,6 +47,36 @@ def _(field, start, count, rows, row):
 def _(field, start, count, rows, row):
     for k in range(count):
         put(rows, row, k, 0.0)
+
+
+@generic
+def bring_if_any(field, start, count, rows, row):
+    """Copy the numbers of points start ... to a row, if the field exists."""
+
+
+@bring_if_any.register(np.ndarray)
+def _(field, start, count, rows, row):
+    bring(field, start, count, rows, row)
+
+
+@bring_if_any.register(type(None))
+def _(field, start, count, rows, row):
+    return
+
+
+@generic
+def components(field):
+    """Numbers of a point in a field of tensors; 0 if it does not exist."""
+
+
+@components.register(np.ndarray)
+def _(field):
+    return field.shape[1]
+
+
+@components.register(type(None))
+def _(field):
+    return 0
 
 
 @generic
@@ -115,6 +148,9 @@ def gather(rows, start, count, f0, f1, lengths, old):
     bring(old.temperature, start, count, rows, TEMPERATURE)
     bring(old.damage, start, count, rows, DAMAGE)
     bring(old.internal_energy, start, count, rows, ENERGY)
+    bring_if_any(old.plastic_volume, start, count, rows, PLASTIC_VOLUME)
+    bring_if_any(old.porosity, start, count, rows, POROSITY)
+    bring_tensors(old.back_stress, start, count, rows, BACK_STRESS, components(old.back_stress))
 
 
 @inside_kernel
@@ -128,6 +164,9 @@ def scatter(rows, start, count, new, wave_speed, viscous):
     take(new.temperature, start, count, rows, TEMPERATURE)
     take(new.damage, start, count, rows, DAMAGE)
     take(new.internal_energy, start, count, rows, ENERGY)
+    take(new.plastic_volume, start, count, rows, PLASTIC_VOLUME)
+    take(new.porosity, start, count, rows, POROSITY)
+    take_tensors(new.back_stress, start, count, rows, BACK_STRESS, components(new.back_stress))
     take(wave_speed, start, count, rows, BALANCE)
     take(viscous, start, count, rows, BALANCE + 1)
 

@@ -6,6 +6,12 @@ from typing import Any, NamedTuple
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
+from core_models.flow.anand import Anand
+from core_models.flow.johnson_cook import JohnsonCook
+from core_models.flow.mts import MechanicalThreshold
+from core_models.flow.preston_tonks_wallace import PrestonTonksWallace
+from core_models.flow.steinberg_cochran_guinan import SteinbergCochranGuinan
+from core_models.flow.zerilli_armstrong import ZerilliArmstrong
 from core_models.heating.isentropic import IsentropicHeating
 from core_models.heating.taylor_quinney import TaylorQuinney
 from core_models.shear_modulus.nadal_le_poac import NadalLePoac
@@ -13,6 +19,8 @@ from core_models.shear_modulus.preston_tonks_wallace import PrestonShearModulus
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.yield_condition.drucker_prager import DruckerPrager
+from core_models.yield_condition.mohr_coulomb import MohrCoulomb
 
 PRESENT = (tuple,)  # any law
 ABSENT = (type(None),)
@@ -20,6 +28,10 @@ SPLIT_UPDATES = (HypoelasticPlastic, HyperelasticPlastic)
 SLOTS_OF_A_SPLIT = (
     "eos", "flow", "yield_condition", "shear_modulus", "kinematic_hardening", "damage", "melting", "heating",
     "stability", "erosion", "objective_rate", "expansion",
+)  # fmt: skip
+PRESSURE_DEPENDENT = (DruckerPrager, MohrCoulomb)
+RATE_DEPENDENT = (
+    Anand, JohnsonCook, MechanicalThreshold, PrestonTonksWallace, SteinbergCochranGuinan, ZerilliArmstrong,
 )  # fmt: skip
 
 
@@ -117,6 +129,29 @@ CLASHES = (
     Clash(
         "expansion", PRESENT, "eos", (MieGruneisen,), "mie_gruneisen has the thermal pressure in its energy",
         "leave the thermal expansion out",
+    ),
+    Clash(
+        "stability", PRESENT, "yield_condition", PRESSURE_DEPENDENT,
+        "the stability checks know the tangent of continued flow of von Mises' surface alone",
+        "take vonMises or leave stability out",
+    ),
+    Clash(
+        "stability", PRESENT, "kinematic_hardening", PRESENT,
+        "the stability checks know the tangent of a surface that grows, not of one that moves",
+        "leave one of them out",
+    ),
+    Clash(
+        "kinematic_hardening", PRESENT, "yield_condition", (*PRESSURE_DEPENDENT, *ABSENT),
+        "back stresses move the surface of von Mises", "take vonMises or leave kinematic_hardening out",
+    ),
+    Clash(
+        "kinematic_hardening", PRESENT, "objective_rate", PRESENT,
+        "back stresses turn with the rate of Green and Naghdi", "leave objective_rate or kinematic_hardening out",
+    ),
+    Clash(
+        "yield_condition", PRESSURE_DEPENDENT, "flow", RATE_DEPENDENT,
+        "the strength of a frictional material feels no strain rate here",
+        "take perfect, isotropic_hardening, power_law, voce, thermal_voce or tabulated",
     ),
     Clash(
         "damage", PRESENT, "flow", ABSENT, "damage grows with plastic strain", "add a flow law or leave damage out"

@@ -4,8 +4,6 @@ from typing import NamedTuple
 
 from core_models.laws import under_pressure, volume_warming
 
-NOT_OFFERED = "the card gives none, and none is offered yet"
-
 
 class Effect(NamedTuple):
     """One physical effect: whether it is simulated, and why."""
@@ -23,7 +21,7 @@ def material_effects(m) -> list[Effect]:
     pressed = m.flow if type(m.flow) in under_pressure.implementations else None
     return [
         _effect("plasticity", m.flow, "the card has no flow law"),
-        _effect("kinematic hardening", m.kinematic_hardening, NOT_OFFERED),
+        _effect("kinematic hardening", m.kinematic_hardening, "the card has no kinematic_hardening_model"),
         _effect(
             "variable shear modulus",
             m.shear_modulus,
@@ -48,7 +46,7 @@ def material_effects(m) -> list[Effect]:
         _effect(
             "erosion", m.erosion, "the card asks for none: damage is computed and reported, it does not act"
         ),
-        _effect("loss of stability", m.stability, NOT_OFFERED),
+        _effect("loss of stability", m.stability, "the card asks for no stability_check"),
     ]
 
 

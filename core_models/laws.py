@@ -243,13 +243,66 @@ def _(damage, strain_increment, plastic_rate, temperature, mean_stress, equivale
 
 
 @generic
+def stability_measure(stability, tangents, stresses, bulk_modulus, shear_modulus):
+    """How far points are from an instability [-]: about 1 in the elastic body at rest, lost at and below 0; (n,).
+
+    For arrays, between steps: it runs in no kernel.
+
+    Parameters
+    ----------
+    tangents : (n, 3, 3, 3, 3) change of the first Piola stress with the velocity gradient, da_ij = a_ijkl dl_kl, in the
+    present configuration [Pa]. stresses : (n, 3, 3) Cauchy stress [Pa]. bulk_modulus, shear_modulus : at rest [Pa].
+    """
+
+
+@generic
 def eroded_stress(erosion, damage, deviator, mean_stress):
-    """Deviator and mean stress of a point whose damage variable is `damage`; unchanged below 1."""
+    """Deviator and mean stress that a point whose damage variable is `damage` carries; all of it below 1."""
 
 
 @eroded_stress.register(type(None))
 def _(erosion, damage, deviator, mean_stress):
     return deviator, mean_stress
+
+
+@generic
+def damage_after(erosion, damage, increment, dt):
+    """Damage variable after a step of dt [s] in which the damage law adds an increment."""
+
+
+@damage_after.otherwise
+def _(erosion, damage, increment, dt):
+    return damage + increment
+
+
+@generic
+def is_out(erosion, damage):
+    """Whether a point of this damage takes no part any more."""
+
+
+@is_out.otherwise
+def _(erosion, damage):
+    return False
+
+
+@generic
+def strength_taken(damage, value):
+    """Share of the strength that the damage law takes away at a value of the damage variable [-], in [0, 1]."""
+
+
+@strength_taken.otherwise
+def _(damage, value):
+    return 0.0
+
+
+@generic
+def weakened(cause, flow, share):
+    """The flow law of which a law `cause` (damage, erosion) leaves a share; itself where there is none."""
+
+
+@weakened.register(type(None))
+def _(cause, flow, share):
+    return flow
 
 
 @generic
@@ -298,3 +351,23 @@ def complete(update, material, prediction, correction, point):
 @generic
 def stress_measure(update, volume_ratio):
     """Reference volumes per unit of volume of the update's stress measure: 1 for Kirchhoff, J for Cauchy."""
+
+
+@generic
+def back_stress_count(kinematic_hardening):
+    """How many back stresses a law of kinematic hardening sums up."""
+
+
+@back_stress_count.register(type(None))
+def _(kinematic_hardening):
+    return 0
+
+
+@back_stress_count.otherwise
+def _(kinematic_hardening):
+    return 1
+
+
+@generic
+def back_stress_constants(kinematic_hardening, term):
+    """Modulus C [Pa] and recovery gamma [-] of a back stress: d alpha = 2/3 C d e_p - gamma alpha d ep."""

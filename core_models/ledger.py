@@ -7,13 +7,14 @@ from dataclasses import dataclass
 class EnergyLedger:
     """Energies of the whole body [J]; every dissipative term is the integral of its own power.
 
-    kinetic : of the motion now. strain : work of the stress that has not been dissipated (elastic and, with an
-    equation of state, thermal). plastic : sigma_y dep. viscosity : work of the bulk viscosity. transfer : what moving
-    velocities between particles and grid has lost (0 in the finite element method). contact : what the wall's normal
-    impulses have taken out, - impulse times mean velocity; friction : what its tangential ones have. hourglass : held
-    by the hourglass control of one-point elements. damping : taken out by mass-proportional damping. external : work
-    done on the body by loads and prescribed motion. initial : kinetic and strain energy at the start. heat : conducted
-    into the body through its boundary; it changes temperatures only and stands apart from the balance.
+    kinetic : of the motion now. strain : work of the stress that has not been dissipated (elastic and, with an equation
+    of state, thermal). plastic : sigma_y dep. viscosity : work of the bulk viscosity. transfer : what moving velocities
+    between particles and grid has lost: kinetic energy, and work that the same forces do on other velocities (0 in the
+    finite element method). contact : what the wall's normal impulses have taken out, - impulse times mean velocity, and
+    what supports have by stopping or starting a body at once; friction : what the wall's tangential impulses have.
+    hourglass : held by the hourglass control of one-point elements. damping : taken out by mass-proportional damping.
+    external : work done on the body by loads and prescribed motion. initial : kinetic and strain energy at the start.
+    heat : conducted into the body through its boundary; it changes temperatures only and stands apart from the balance.
 
     The balance: initial + external = kinetic + strain + plastic + viscosity + transfer + contact + friction +
     hourglass + damping.

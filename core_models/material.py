@@ -9,6 +9,7 @@ from core_models.effects import Effect, material_effects
 from core_models.errors import MaterialError
 from core_models.laws import (
     advance_rows,
+    back_stress_constants,
     damage_increment,
     elastic_moduli,
     eroded_stress,
@@ -20,14 +21,18 @@ from core_models.laws import (
     return_to_surface,
     shear_modulus,
     shear_stiffness,
+    stability_measure,
     thermal_volume,
 )
 from core_models.material_checks import cautions, complaints
 from core_models.model import Model
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.corotation import corotated
+from core_models.updates.general import General
+from core_models.updates.general_problem import return_stress
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.yield_condition.von_mises import VonMises
 
 SLOTS = {
     "update": advance_rows,
@@ -35,16 +40,17 @@ SLOTS = {
     "eos": pressure,
     "flow": flow_stress,
     "yield_condition": return_to_surface,
+    "kinematic_hardening": back_stress_constants,
     "damage": damage_increment,
     "shear_modulus": shear_modulus,
     "melting": melting_temperature,
     "specific_heat": heat_capacity,
     "heating": heated_fraction,
     "expansion": thermal_volume,
+    "stability": stability_measure,
     "erosion": eroded_stress,
     "objective_rate": corotated,
 }
-EMPTY_SLOTS = ("kinematic_hardening", "stability")
 REQUIRED_SLOTS = ("update", "elasticity")
 
 log = logging.getLogger(__name__)
@@ -61,6 +67,7 @@ class Material:
     The other slots : laws of core_models.<slot>; all but eos and elasticity may be left out.
     room_temperature : initial temperature unless a body gives its own [K].
     thermal_conductivity : k [W/(m K)], > 0, or None.
+    damage_radius : of the neighbourhood over which the growth of damage is averaged [m], > 0; None: local damage.
     origins : file and line of each slot in the card that the material comes from, for messages.
 
     Raises
@@ -88,6 +95,7 @@ class Material:
     objective_rate: Any = None
     room_temperature: float = 294.0
     thermal_conductivity: float | None = None
+    damage_radius: float | None = None
     origins: Mapping[str, str] = field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -96,14 +104,10 @@ class Material:
 
     def check_slots(self) -> None:
         """Refuse a law in a slot whose generic function it does not implement."""
-        for slot in EMPTY_SLOTS:
-            if getattr(self, slot) is not None:
-                given = type(getattr(self, slot)).__name__
-                raise self.error(slot, f"the slot {slot} takes no law yet ({given} given): leave it out")
-        for slot, implemented in SLOTS.items():
-            law, classes = getattr(self, slot), implemented.implementations
+        for slot in SLOTS:
+            law, classes = getattr(self, slot), laws_for(slot)
             if law is not None and type(law) not in classes:
-                known = ", ".join(sorted(known.__name__ for known in classes if known is not type(None)))
+                known = ", ".join(sorted(known.__name__ for known in classes))
                 raise self.error(
                     slot, f"{type(law).__name__} is no law for the slot {slot}: use one of {known}"
                 )
@@ -130,12 +134,18 @@ class Material:
     @property
     def model(self) -> Model:
         """The laws as compiled code sees them."""
-        return Model(*(getattr(self, name) for name in Model._fields))
+        model = Model(*(getattr(self, name) for name in Model._fields))
+        return (
+            model._replace(update=General(self.update, self.update.tolerance))
+            if has_general_return(self)
+            else model
+        )
 
     @property
     def laws(self) -> tuple:
         """All laws that are present."""
-        return tuple(law for law in self.model if isinstance(law, tuple))
+        given = (getattr(self, name) for name in Model._fields)
+        return tuple(law for law in given if isinstance(law, tuple))
 
     def uses(self, need: str) -> bool:
         """Whether any law states the need `uses_temperature` or `uses_energy`."""
@@ -154,3 +164,19 @@ class Material:
     def effects(self) -> list[Effect]:
         """Which effects this material brings into a simulation, and why the others are absent."""
         return material_effects(self)
+
+
+def has_general_return(material: Material) -> bool:
+    """Whether the laws need more than the scalar radial return."""
+    if isinstance(material.update, CompressibleNeoHookean):
+        return False
+    other = type(material.yield_condition) in return_stress.implementations.keys() - {VonMises}
+    return other or material.kinematic_hardening is not None
+
+
+def laws_for(slot: str) -> set[type]:
+    """The classes of laws that a slot takes, apart from those that only the points make."""
+    known = set(SLOTS[slot].implementations)
+    if slot == "yield_condition":
+        known |= set(return_stress.implementations)
+    return {law for law in known - {type(None), General} if not getattr(law, "is_internal", False)}

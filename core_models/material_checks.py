@@ -18,6 +18,7 @@ from core_models.schema.checking import fault_of
 
 LARGEST_MODULUS_GAP = 0.2  # between the card's moduli and those that the other laws have at rest
 STRAINS = (0.0, 1e-3, 1e-2, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0)  # plastic strains where softening is looked for
+UNREGULARISED = "nothing regularises the softening, so that results depend on the resolution"
 SMALLEST_FALL = 1e-9  # of the flow stress, below which a slope is round-off
 
 
@@ -47,12 +48,13 @@ def cautions(m: Any) -> Iterator[Remark]:
         told = law.caution() if hasattr(law, "caution") else ""
         if told:
             yield Remark(slot, told)
+    if getattr(m.damage, "coupling", 0.0) > 0.0 and m.damage_radius is None:
+        yield Remark("damage", f"damage weakens the flow stress: {UNREGULARISED}")
     strain = _softening_strain(m) if m.flow is not None else math.inf
     if strain < math.inf:
         yield Remark(
             "flow",
-            f"the flow stress falls with plastic strain from {strain:g} on: nothing regularises the softening, so that "
-            "results depend on the resolution",
+            f"the flow stress falls with plastic strain from {strain:g} on: {UNREGULARISED}",
         )
 
 
@@ -71,6 +73,15 @@ def _constants(m: Any) -> Iterator[Remark]:
         yield Remark(
             "update",
             f"thermal_conductivity must be positive, not {m.thermal_conductivity!r} W/(m K): leave it out if unknown",
+        )
+    if m.damage_radius is not None and not m.damage_radius > 0.0:
+        yield Remark(
+            "damage",
+            f"damage_radius must be positive, not {m.damage_radius!r} m: leave it out for local damage",
+        )
+    if m.damage_radius is not None and m.damage is None:
+        yield Remark(
+            "damage", "damage_radius averages damage, and there is none: add a damage law or leave it out"
         )
 
 

@@ -13,6 +13,7 @@ class Model(NamedTuple):
     eos: tuple
     flow: tuple | None
     yield_condition: tuple | None
+    kinematic_hardening: tuple | None
     damage: tuple | None
     shear_modulus: tuple | None
     melting: tuple | None

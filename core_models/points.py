@@ -8,12 +8,14 @@ from core_models.bulk_viscosity import BulkViscosity
 from core_models.compilation import CHUNK
 from core_models.errors import RunFailure, UnsupportedError
 from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points
-from core_models.laws import elastic_moduli, pressure, thermal_volume
+from core_models.laws import back_stress_count, elastic_moduli, pressure, stability_measure, thermal_volume
 from core_models.material import Material
+from core_models.nonlocal_average import NonlocalAverage
 from core_models.rows import make_workspace
 from core_models.state import State
 from core_models.status import MEANING, OK
 from core_models.threads import Threads
+from core_models.updates.continuing_tangent import continuing_tangents
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.updates.tangent_kernel import linearise_points
@@ -27,6 +29,9 @@ UNITS = {
     "temperature": "K",
     "damage": "1",
     "internal_energy": "J/m^3",
+    "plastic_volume": "1",
+    "porosity": "1",
+    "back_stress": "Pa",
 }
 
 
@@ -97,6 +102,7 @@ class MaterialPoints:
         self._new_viscous_pressure = None if viscosity is None else np.zeros(self.n)
         self.lengths = None if viscosity is None else np.zeros(self.n)
         self.wave_speed = np.full(self.n, initial_wave_speed(material))
+        self._average: NonlocalAverage | None = None
         chunks = -(-self.n // CHUNK)
         self._workspaces = [make_workspace() for _thread in range(self.threads.count)]
         self._sums = np.zeros((chunks, 5))
@@ -138,6 +144,31 @@ class MaterialPoints:
         )  # fmt: skip
         return self._outcome()
 
+    def stability(self) -> np.ndarray:
+        """Measure of the material's stability law for the accepted state, (n,) [-]: lost at and below 0.
+
+        A point that flows is taken to flow on, at its rate; one without strength has nothing to lose and counts as
+        elastic.
+        Raises UnsupportedError without a stability law.
+        """
+        material = self.material
+        if material.stability is None:
+            raise UnsupportedError(f"{material.name} has no stability law: give it one, such as drucker")
+        f = self.old_deformation_gradient
+        stresses, tangents = np.empty((self.n, 3, 3)), np.empty((self.n, 9, 9))
+        self.threads.run_with(
+            continuing_tangents, len(self._sums), self._workspaces, self.model, f.reshape(self.n, 9), self.old,
+            stresses.reshape(self.n, 9), tangents,
+        )  # fmt: skip
+        over_volume = 1.0 / np.linalg.det(f)
+        spatial = np.einsum(
+            "n,njJ,niJkL,nlL->nijkl", over_volume, f, tangents.reshape(self.n, 3, 3, 3, 3), f, optimize=True
+        )
+        cauchy = np.einsum("n,niJ,njJ->nij", over_volume, stresses, f)
+        shear = material.shear_at_rest(material.room_temperature)
+        bulk = pressure(material.eos, 1.0, 0.0)[1]
+        return stability_measure(material.stability, spatial, cauchy, bulk, shear)
+
     def _outcome(self) -> Work:
         bad = np.flatnonzero(self._failures[:, 0] != OK)
         if bad.size:
@@ -148,8 +179,19 @@ class MaterialPoints:
             float(largest[PRESSURE]),
         )  # fmt: skip
 
+    def connect(self, positions: np.ndarray) -> None:
+        """Prepare the average of a nonlocal damage, if the material asks for one.
+
+        positions : of the points in the reference body (n, d) [m].
+        """
+        radius = self.material.damage_radius
+        if radius is not None:
+            self._average = NonlocalAverage(positions, self.reference_volumes, radius)
+
     def accept(self) -> None:
         """Make the new state the old one."""
+        if self._average is not None:
+            self._average.apply(self.old.damage, self.new.damage)
         self.old, self.new = self.new, self.old
         self.viscous_pressure, self._new_viscous_pressure = self._new_viscous_pressure, self.viscous_pressure
         self.old_deformation_gradient, self.deformation_gradient = (
@@ -168,6 +210,8 @@ class MaterialPoints:
         arrays |= {
             name: (UNITS[name], array) for name, array in self.old._asdict().items() if array is not None
         }
+        if self.material.stability is not None:
+            arrays["stability"] = ("1", self.stability())
         if self.viscous_pressure is not None:
             arrays["viscous_pressure"] = ("Pa", self.viscous_pressure)
         return {name: Field(name, unit, array.shape[1:], array) for name, (unit, array) in arrays.items()}
@@ -194,6 +238,8 @@ def initial_state(material: Material, n: int, temperature: float, conduction: bo
     hypo = isinstance(material.update, HypoelasticPlastic)
     hyper = isinstance(material.update, HyperelasticPlastic)
     variable = getattr(material.flow, "hardening_variable", None)
+    voids = getattr(material.damage, "porosity_at_start", None)
+    terms = back_stress_count(material.kinematic_hardening)
     stress = np.zeros((n, 6))
     stress[:, :3] = thermal_stress(material, temperature)
     return State(
@@ -205,6 +251,9 @@ def initial_state(material: Material, n: int, temperature: float, conduction: bo
         temperature=scalar(material.needs_temperature or conduction, temperature),
         damage=scalar(material.damage is not None),
         internal_energy=scalar(material.uses("uses_energy")),
+        plastic_volume=scalar(getattr(material.yield_condition, "has_plastic_volume", False)),
+        porosity=scalar(voids is not None, voids or 0.0),
+        back_stress=np.zeros((n, 6 * terms)) if terms else None,
     )
 
 

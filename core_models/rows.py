@@ -17,7 +17,9 @@ F0, F1 = 0, 9
 STRESS, ROTATION_0, ROTATION_1, ELASTIC = 18, 24, 27, 30
 PLASTIC_STRAIN, HARDENING, TEMPERATURE, DAMAGE, ENERGY = 36, 37, 38, 39, 40
 PREDICTION, GUESS, CORRECTION, BALANCE, LENGTH = 41, 54, 55, 59, 64
-ROWS = 65
+PLASTIC_VOLUME, POROSITY, BACK_STRESS = 65, 66, 67
+LARGEST_NUMBER_OF_BACK_STRESSES = 4
+ROWS = BACK_STRESS + 6 * LARGEST_NUMBER_OF_BACK_STRESSES
 BLOCK = 32  # points that are advanced together: their rows stay in the nearest cache
 STRIDE = BLOCK + 8  # a cache line more, lest all rows fall in the same few places of the cache
 

@@ -14,6 +14,8 @@ class State(NamedTuple):
     rotation (n, 3) : R in F = V R as axis * tan(angle / 4) (hypoelastic update).
     elastic_left_cauchy_green (n, 6) : its isochoric part, determinant 1 (hyperelastic update).
     equivalent_plastic_strain, hardening_variable, temperature [K], damage, internal_energy [J/m^3] : (n,).
+    plastic_volume : ln J_p of the plastic part of the volume ratio (n,). porosity : volume fraction of voids (n,).
+    back_stress (n, 6 terms) [Pa], deviators of the update's stress measure, those of a sum one after the other.
     """
 
     stress: np.ndarray
@@ -24,6 +26,9 @@ class State(NamedTuple):
     temperature: np.ndarray | None
     damage: np.ndarray | None
     internal_energy: np.ndarray | None
+    plastic_volume: np.ndarray | None
+    porosity: np.ndarray | None
+    back_stress: np.ndarray | None
 
 
 class PointState(NamedTuple):

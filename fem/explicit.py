@@ -96,6 +96,7 @@ class ExplicitSolver(Restartable, Readout):
         self.velocities = initial_velocities(velocity, self.mesh.points)
         volumes = self._body.space.tables.weights.ravel()
         self.points = MaterialPoints(material, volumes, temperature, viscosity, self.threads, conduction)
+        self.points.connect(self.reference_positions)
         self.positions = self.mesh.points.copy()
         count = len(self.positions)
         self._held = np.zeros(count, dtype=np.bool_)
@@ -176,6 +177,11 @@ class ExplicitSolver(Restartable, Readout):
             # Velocities start at t = 0, not half a step before: what the first stress does to them is half its work.
             started = body.nodal_forces() * (v1 - self._next[1])
             self._ledger.initial -= 0.25 * dt * float(started.sum())
+            if supports.reactions is not None:
+                # What stops or starts with a support at once loses energy: the support has worked on what came of it.
+                lost = 0.5 * float((supports.reactions * (v1 - self._next[1])).sum())
+                self._ledger.contact += lost
+                self._ledger.external += lost
         sums = [float(value) for value in self._node_sums.sum(axis=0)]
         self.wall_impulse += sums[IMPULSE]
         self.wall_force = sums[IMPULSE] / middle

@@ -100,7 +100,8 @@ def bulk_part(scratch, q, shear):
 
 @inside_kernel
 def shear_part(scratch, q, shear):
-    """Largest square frequency of the deviatoric part of point q [1/s^2]."""
+    """Largest square frequency of the deviatoric part of point q [1/s^2]; 0 for a point without waves."""
+    shear = min(shear, 3.0 / 4.0 * scratch[q, STIFFNESS])
     return 2.0 * shear * min(scratch[q, EIGENVALUE], 2.0 / 3.0 * scratch[q, TRACE])
 
 
@@ -123,9 +124,10 @@ def _(cure, geometry, element, tables, metric, scratch, e, corner_mass, shear):
 def stable_step(cure, geometry, element, tables, metric, scratch, e, corner_mass, shear, viscosity):
     """Stable step of element e [s]."""
     square = square_frequency(cure, geometry, element, tables, metric, scratch, e, corner_mass, shear)
-    viscous, stiffness = 0.0, scratch[0, STIFFNESS]
+    viscous, stiffness = 0.0, math.inf
     for q in range(points_of(element)):
         viscous = max(viscous, scratch[q, VISCOUS])
-        stiffness = min(stiffness, scratch[q, STIFFNESS])
+        has_waves = scratch[q, STIFFNESS] > 0.0
+        stiffness = min(stiffness, scratch[q, STIFFNESS] if has_waves else math.inf)
     frequency = math.sqrt(square + read(metric.hourglass, e, 0.0))
     return 2.0 / frequency * damped_step_factor(viscosity, viscous / stiffness)

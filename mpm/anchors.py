@@ -178,14 +178,14 @@ class Anchors:
         """The grid's velocity along an axis after the forces at the points (k,) [m/s]."""
         return self._interpolate(axis, self.velocities[self.nodes, axis])
 
-    def jump(self, axis: int) -> float:
-        """Kinetic energy of the change of velocity along an axis that these nodes have undergone [J]."""
-        change = self.velocities[self.nodes, axis] - self._records[self.nodes, axis]
-        return 0.5 * float((self.masses * change * change).sum())
-
     def response(self, axis: int, impulses: np.ndarray) -> np.ndarray:
         """Change of velocity along an axis (k,) [m/s] at the points that impulses there (k,) [N s] would make."""
         return self._interpolate(axis, self._spread(axis, impulses) / self.masses)
+
+    def own_response(self, axis: int) -> np.ndarray:
+        """Change of velocity along an axis (k,) [m/s] at each point that an impulse of 1 N s there would make."""
+        weights = self.weights[:, :, axis]
+        return (weights * weights / self.masses[self.local]).sum(axis=1)
 
     def push(self, axis: int, impulses: np.ndarray) -> None:
         """Change the velocity after the forces by impulses along an axis (k,) [N s] at the points."""

@@ -198,11 +198,18 @@ class Background:
         )
         return carried
 
+    def power_before(self) -> float:
+        """Power of the forces on the nodes, as they have been found moving [W]."""
+        return self._power(self.grid.nodes.reshape(-1, RECORD))
+
     def power(self) -> float:
         """Power of the forces on the nodes, as they move after them [W]."""
+        return self._power(self.grid.after.reshape(-1, VELOCITY))
+
+    def _power(self, velocities: np.ndarray) -> float:
         nodes = self.blocks * block_nodes(self.geometry)
         forces = self.grid.nodes.reshape(-1, RECORD)[:nodes, FORCE : FORCE + 3]
-        return float((forces * self.grid.after.reshape(-1, VELOCITY)[:nodes, :3]).sum())
+        return float((forces * velocities[:nodes, :3]).sum())
 
     def give(self, dt: float, *particles) -> np.ndarray:
         """Bring deformation and velocity back; returns the sums of `to_particles`.

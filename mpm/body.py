@@ -60,6 +60,7 @@ class Body:
         self.points = MaterialPoints(
             material, self.particles.volumes, temperature, viscosity, threads, conduction
         )
+        self.points.connect(self.reference_positions)
         n, d = self.reference_positions.shape
         self.positions = self.reference_positions.copy()
         self.velocities = initial_velocities(velocity, self.reference_positions)

@@ -17,9 +17,10 @@ from core_models.checkpoint import (
 
 VALUES = (
     "positions", "velocities", "affine", "volume_ratio", "time", "time_step", "step_count", "point_updates",
-    "_last_step", "_first_step", "_kinetic", "wall_impulse", "wall_force",
+    "_last_step", "_first_step", "_kinetic", "_stress_power", "_ahead", "wall_impulse", "wall_force",
 )  # fmt: skip
 CONDUCTION = ("gradients", "limit")
+CURE = ("stretch",)
 
 
 class Restartable:
@@ -28,6 +29,7 @@ class Restartable:
     def checkpoint(self) -> Checkpoint:
         """Copies of everything that the steps to come depend on, between two steps."""
         conduction = {} if self._conduction is None else values_of(self._conduction, CONDUCTION)
+        cure = {} if self._cure is None else values_of(self._cure, CURE)
         still = np.zeros(self.mesh.dimension)
         reactions = {name: self._reactions.get(name, still).copy() for name in self._supports.names}
         return {
@@ -37,7 +39,7 @@ class Restartable:
             **under("contact", {} if self._contact is None else {"touched": self._contact.touched.copy()}),
             **under("reactions", reactions),
             **under("conduction", conduction),
-            **under("cure", {} if self._cure is None else values_of(self._cure, ("stretch",))),
+            **under("cure", cure),
             **under("ledger", ledger_checkpoint(self.ledger)),
         }
 
@@ -56,7 +58,7 @@ class Restartable:
         if self._conduction is not None:
             put_values(self._conduction, CONDUCTION, part_of(checkpoint, "conduction"))
         if self._cure is not None:
-            put_values(self._cure, ("stretch",), part_of(checkpoint, "cure"))
+            put_values(self._cure, CURE, part_of(checkpoint, "cure"))
         self._background.convect(self.points.old_deformation_gradient)
         restore_ledger(self.ledger, part_of(checkpoint, "ledger"))
         self._filled = False

@@ -17,22 +17,19 @@ Sources: Simo, Taylor & Pister, Comput. Methods Appl. Mech. Eng. 51 (1985) 177; 
 al., Comput. Methods Appl. Mech. Eng. 333 (2018) 1.
 """
 
-import math
-
 import numpy as np
 
-from core_models.compilation import inside_kernel, kernel
+from core_models.compilation import kernel
 from core_models.errors import SceneError
 from core_models.names import suggestion
 from core_models.state import write
 from core_models.tensors import THIRD, cube_root, load_tensor, store_tensor
 from mpm.background import Background
-from mpm.geometries import dimension_of
-from mpm.grid import block_corner, block_nodes, clear, node_in
+from mpm.cell_means import PAIR, fetch_means, gather_means, mean_at, stand_in_cell
+from mpm.grid import VELOCITY, block_corner, block_nodes, clear
 
 NONE, MEAN = "none", "mean-dilatation"
 CURES = (NONE, MEAN)
-PAIR = 2  # numbers of a corner: sum of volumes, and of volumes times values; then their mean in its place
 
 
 def find_cure(name: str | None) -> bool:
@@ -42,78 +39,19 @@ def find_cure(name: str | None) -> bool:
     return name == MEAN
 
 
-@inside_kernel
-def corners_along(geometry, grid, positions, p, axis, corner):
-    """Lower of the two corners of particle p's cell along an axis, counted from `corner`, and H of both."""
-    if axis == dimension_of(geometry):
-        return 0, 1.0, 0.0
-    x = (positions[p, axis] - grid.base[axis]) * grid.over_h
-    lower = math.floor(x)
-    return int(lower) - corner[axis], 1.0 - (x - lower), x - lower
-
-
-@inside_kernel
-def mean_at(geometry, grid, home, corner, positions, p, sums):
-    """(P a)_p from the means at the corners of particle p's cell."""
-    i, x_0, x_1 = corners_along(geometry, grid, positions, p, 0, corner)
-    j, y_0, y_1 = corners_along(geometry, grid, positions, p, 1, corner)
-    k, z_0, z_1 = corners_along(geometry, grid, positions, p, 2, corner)
-    mean = 0.0
-    for c in range(dimension_of(geometry) - 1):
-        for b in range(2):
-            low = sums[PAIR * node_in(geometry, grid, home, i, j + b, k + c) + 1]
-            high = sums[PAIR * node_in(geometry, grid, home, i + 1, j + b, k + c) + 1]
-            mean += (y_1 if b else y_0) * (z_1 if c else z_0) * (x_0 * low + x_1 * high)
-    return mean
-
-
-@kernel
-def gather_means(
-    first, last, scratch, geometry, shape, grid, order, offset, positions, volumes, values, sums
-):
-    """Add volumes (n,) [m^3], and volumes times values (n,), of the particles of some homes to the corners.
-
-    first, last, offset : as in `mpm.to_grid`. sums : flat, two numbers per corner, stored like the nodes.
-    """
-    for number in range(offset + first, offset + last):
-        home = grid.homes[number]
-        corner = block_corner(grid, home)
-        for place in range(order.start[home], order.start[home + 1]):
-            p = order.particles[place]
-            i, x_0, x_1 = corners_along(geometry, grid, positions, p, 0, corner)
-            j, y_0, y_1 = corners_along(geometry, grid, positions, p, 1, corner)
-            k, z_0, z_1 = corners_along(geometry, grid, positions, p, 2, corner)
-            volume, value = volumes[p], values[p]
-            for c in range(dimension_of(geometry) - 1):
-                for b in range(2):
-                    part = volume * (y_1 if b else y_0) * (z_1 if c else z_0)
-                    at = PAIR * node_in(geometry, grid, home, i, j + b, k + c)
-                    sums[at] += part * x_0
-                    sums[at + 1] += part * x_0 * value
-                    at = PAIR * node_in(geometry, grid, home, i + 1, j + b, k + c)
-                    sums[at] += part * x_1
-                    sums[at + 1] += part * x_1 * value
-
-
-@kernel
-def settle_means(first, last, geometry, sums):
-    """Divide the sums at the corners of blocks first ... last-1; 0 where no particle is near."""
-    count = block_nodes(geometry)
-    for corner in range(first * count, last * count):
-        volume = sums[PAIR * corner]
-        sums[PAIR * corner + 1] *= 1.0 / volume if volume > 0.0 else 0.0
-
-
 @kernel
 def take_pressures(first, last, scratch, geometry, shape, grid, order, positions, sums, stress, pressures):
     """Pressures (n,) [Pa] which, taken from the stress (n, 6) of homes first ... last-1, leave s + (P p) 1."""
+    tile = scratch.tile
     for number in range(first, last):
         home = grid.homes[number]
         corner = block_corner(grid, home)
+        fetch_means(geometry, grid, home, sums, tile)
         for place in range(order.start[home], order.start[home + 1]):
             p = order.particles[place]
+            at, x, y, z = stand_in_cell(geometry, grid, positions, p, corner)
             own = (stress[p, 0] + stress[p, 1] + stress[p, 2]) * THIRD
-            pressures[p] = own - mean_at(geometry, grid, home, corner, positions, p, sums)
+            pressures[p] = own - mean_at(geometry, tile, at, x, y, z)
 
 
 @kernel
@@ -126,13 +64,15 @@ def take_ratios(
     reference, volumes (n,) : of the particles in the reference body and before the step [m^3]. gradient (n, 3, 3),
     volume_ratio (n,) : F and J, changed. stretch (n,) : what F has been divided by, written, or None.
     """
+    tile = scratch.tile
     for number in range(first, last):
         home = grid.homes[number]
         corner = block_corner(grid, home)
+        fetch_means(geometry, grid, home, sums, tile)
         for place in range(order.start[home], order.start[home + 1]):
             p = order.particles[place]
-            mean = mean_at(geometry, grid, home, corner, positions, p, sums)
-            change = mean * volumes[p] / (reference[p] * volume_ratio[p])
+            at, x, y, z = stand_in_cell(geometry, grid, positions, p, corner)
+            change = mean_at(geometry, tile, at, x, y, z) * volumes[p] / (reference[p] * volume_ratio[p])
             # A particle turned inside out stays so, for its points to refuse the step.
             factor = cube_root(change) if change > 0.0 else 1.0
             f = load_tensor(gradient, p)
@@ -166,11 +106,9 @@ class Dilatation:
         """Means of the values, weighted with the volumes, at the corners."""
         nodes = block_nodes(background.geometry)
         if len(self._sums) < PAIR * nodes * background.blocks:
-            self._sums = np.zeros(PAIR * (len(background.grid.after) // 4))
-        threads, blocks = background.threads, background.blocks
-        threads.run(clear, blocks, self._sums, PAIR * nodes)
+            self._sums = np.zeros(PAIR * (len(background.grid.after) // VELOCITY))
+        background.threads.run(clear, background.blocks, self._sums, PAIR * nodes)
         background.by_colour(gather_means, positions, self._volumes, self._values, self._sums)
-        threads.run(settle_means, blocks, background.geometry, self._sums)
 
     def average_pressures(
         self,
@@ -185,7 +123,8 @@ class Dilatation:
         positions (n, d) : in the grid that has been laid out [m]. volume_ratio (n,) : as the points see it.
         """
         np.multiply(self._reference, volume_ratio, out=self._volumes)
-        np.sum(stress[:, :3], axis=1, out=self._values)
+        np.add(stress[:, 0], stress[:, 1], out=self._values)
+        self._values += stress[:, 2]
         self._values *= THIRD
         if viscous is not None:
             self._values -= viscous
@@ -200,7 +139,7 @@ class Dilatation:
         """Turn F (n, 3, 3) and J (n,) after the step into what the points see; lasts if `accept` is called."""
         np.divide(volume_ratio * self._reference, self._volumes, out=self._values)
         if self.stretch is not None:
-            self._values /= self.stretch**3
+            self._values /= self.stretch * self.stretch * self.stretch
         self._gather(background, positions)
         background.over_homes(
             take_ratios, positions, self._sums, self._reference, self._volumes, gradient, volume_ratio,

@@ -1,5 +1,7 @@
 """Forces from outside: body forces at the particles, tractions and pressures at the middles of their faces."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from core_models.geometry import Geometry
@@ -73,13 +75,18 @@ class Forces:
                 anchors.load(axis, forces[:, axis])
             self._on_surface.append((anchors, forces))
 
+    def power_before(self, velocities: np.ndarray) -> float:
+        """Power of the forces [W] on the velocities that they find: (n, d) [m/s] of the particles, and the grid's."""
+        return self._power(velocities, Anchors.before)
+
     def power(self, moves: np.ndarray) -> float:
         """Power of the forces [W] while the particles move with velocities (n, d) [m/s] and the grid with its own."""
-        power = 0.0
-        if self._on_particles is not None:
-            power += float((self._on_particles * moves).sum())
+        return self._power(moves, Anchors.after)
+
+    def _power(self, velocities: np.ndarray, of_grid: Callable[[Anchors, int], np.ndarray]) -> float:
+        power = 0.0 if self._on_particles is None else float((self._on_particles * velocities).sum())
         for anchors, forces in self._on_surface:
             power += sum(
-                float((forces[:, axis] * anchors.after(axis)).sum()) for axis in range(forces.shape[1])
+                float((forces[:, axis] * of_grid(anchors, axis)).sum()) for axis in range(forces.shape[1])
             )
         return power

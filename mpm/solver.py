@@ -9,13 +9,12 @@ from core_models.arguments import check_between
 from core_models.body_checks import check_body
 from core_models.bulk_viscosity import BulkViscosity, damped_step_factor
 from core_models.compilation import CHUNK
-from core_models.errors import RunFailure, SceneError
+from core_models.errors import RunFailure
 from core_models.geometry import Axisymmetric, axis_names, find_geometry
 from core_models.ledger import EnergyLedger
 from core_models.load_checks import check_loads, damping_of
 from core_models.loads import Load, Symmetry, at_time
 from core_models.material import Material
-from core_models.names import suggestion
 from core_models.points import Work
 from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.threads import Threads
@@ -30,6 +29,7 @@ from mpm.configurations import Total, find_configuration, pull_back
 from mpm.contact import Contact, Push
 from mpm.dilatation import Dilatation, find_cure
 from mpm.forces import Forces
+from mpm.fracture import Neighbours
 from mpm.grid import RECORD, VELOCITY
 from mpm.interpolation.catalogue import check_interpolation, make_interpolation
 from mpm.interpolation.cpdi import ConvectedDomain, check_extent
@@ -38,7 +38,9 @@ from mpm.mirrors import find_mirrors
 from mpm.motion import AFTER, BEFORE, advect
 from mpm.musl import MUSL, USL, Remap, check_update
 from mpm.particles import GAUSS, rim_faces
+from mpm.readout import Readout
 from mpm.reference_contact import ReferenceContact
+from mpm.stress_power import StressPower
 from mpm.supports import Hold, Supports
 from mpm.surface import Surface
 from mpm.to_particles import ENERGY, SPEED
@@ -46,7 +48,7 @@ from mpm.transfers import make_transfer
 from mpm.xpic import Filter
 
 
-class Solver(Restartable, Body):
+class Solver(Readout, Restartable, Body):
     """Explicit dynamics of a body, from a mesh that its particles are seeded from.
 
     Parameters
@@ -157,10 +159,12 @@ class Solver(Restartable, Body):
         self._moves = np.empty_like(self.velocities) if self._transfer.share else None
         self._filled = False
         self._reactions: dict[str, np.ndarray] = {}
+        self._neighbours: Neighbours | None = None
         self.time, self.step_count, self.point_updates, self._last_step = 0.0, 0, 0, 0.0
         self.initial_momentum = self.momentum
         self.wall_impulse, self.wall_force = 0.0, 0.0
-        self._kinetic = self._particle_energy()
+        self._kinetic, self._stress_power, self._ahead = self._particle_energy(), 0.0, 0.0
+        self._powers = StressPower(self.points)
         stored, dissipated = self.stored_energy, self.plastic_energy
         self.ledger = EnergyLedger(
             self._kinetic + stored + dissipated, self._kinetic, stored, plastic=dissipated
@@ -234,9 +238,9 @@ class Solver(Restartable, Body):
             points.deformation_gradient, self._moves, self._new_velocities, self.volume_ratio,
         )  # fmt: skip
         moves = self._new_velocities if self._moves is None else self._moves
-        external = dt * self._forces.power(moves)
+        found, power = self._forces.power_before(self.velocities), self._forces.power(moves)
         damped = background.damped_energy(keep) if self._damping else 0.0
-        lost = 0.0 if self._remap is None else self._deform_again(dt, external)
+        lost = 0.0 if self._remap is None else self._deform_again(dt, dt * power)
         if self._cure is not None:
             self._cure.average_ratios(
                 background, self._places, points.deformation_gradient, self.volume_ratio
@@ -249,16 +253,17 @@ class Solver(Restartable, Body):
         background.convect(points.old_deformation_gradient)
         self.threads.run(advect, -(-points.n // CHUNK), dt, moves, self.positions)
         self.velocities, self._new_velocities = self._new_velocities, self.velocities
-        self._keep_books(work, external, damped, lost, hold, push, sums, kick)
+        self._keep_books(work, found, power, damped, lost, hold, push, sums, dt)
 
     def _constrain(self, dt: float) -> tuple[Hold, Push]:
         """Change the grid's velocity after the forces to what supports, wall and symmetry planes allow."""
         background = self._background
-        self._agreement.check(self.time + 0.5 * dt)
+        middle = self.time + 0.5 * dt
+        self._agreement.check(middle)
+        earlier = self.time - 0.5 * self._last_step if self.step_count else middle
         hold = self._supports.impose(
-            background, self.time + 0.5 * dt, self.positions, self.points.old_deformation_gradient,
-            self._last_step == 0.0,
-        )  # fmt: skip
+            background, earlier, middle, self.positions, self.points.old_deformation_gradient
+        )
         push = Push() if self._contact is None else self._contact.meet(background, dt)
         background.reflect(background.grid.after, VELOCITY)
         return hold, push
@@ -299,28 +304,41 @@ class Solver(Restartable, Body):
     def _keep_books(
         self,
         work: Work,
-        external: float,
+        found: float,
+        power: float,
         damped: float,
         lost: float,
         hold: Hold,
         push: Push,
         sums: np.ndarray,
-        kick: float,
+        dt: float,
     ) -> None:
-        """Enter a step that worked in the ledger."""
-        ledger = self.ledger
-        on_grid = self._background.energies.sum(axis=0)
+        """Enter a step that worked in the ledger; found, power : of the loads on the velocities before and after [W].
+
+        A force acts for half the last step on the velocities that it finds, and for half of this one on those after.
+        """
+        ledger, background = self.ledger, self._background
+        kick = 0.5 * (self._last_step + dt)
+        on_grid = background.energies.sum(axis=0)
         kinetic = float(sums[:, ENERGY].sum())
+        resisted = found - background.power_before()
+        starts = self.step_count == 0
+        if starts:
+            # Velocities start at t = 0, not half a step before: what the first forces do to them is half their work.
+            ledger.initial -= 0.25 * dt * (background.power() - background.power_before())
         ledger.transfer += (
             lost
+            + (0.0 if starts else hold.lost)
             + (self._kinetic - float(on_grid[BEFORE]))
             + (float(on_grid[AFTER]) + hold.energy + push.energy - kinetic)
+            + 0.5 * self._last_step * (resisted - self._stress_power)
         )
-        self._kinetic = kinetic
-        # Velocities have had the whole step's force but belong to its middle: half a step's work brings both together.
-        ledger.kinetic = kinetic - 0.5 * (work.stress + work.viscous - external - hold.work)
-        ledger.external += external + hold.work
-        ledger.contact += hold.lost - push.work
+        self._kinetic, self._stress_power = kinetic, self._powers.over(dt)
+        # Velocities belong to the middle of the step: half a step's work of all forces leads to its end.
+        before, self._ahead = self._ahead, 0.5 * dt * (power + (0.0 if starts else hold.later / kick))
+        ledger.kinetic = kinetic + self._ahead - 0.5 * dt * self._stress_power
+        ledger.external += 0.5 * (self._last_step * found + dt * power) + hold.work + self._ahead - before
+        ledger.contact += (hold.lost if starts else 0.0) - push.work
         ledger.friction -= push.rubbed
         ledger.damping += damped
         ledger.plastic += work.plastic
@@ -332,7 +350,7 @@ class Solver(Restartable, Body):
         self._fastest = (math.sqrt(float(sums[:, SPEED].max())), work.wave_speed, work.viscous_pressure)
 
     def _stable_step(self, speed: float, wave_speed: float, viscous_pressure: float) -> float:
-        relative = viscous_pressure / (self.material.density * wave_speed**2)
+        relative = viscous_pressure / (self.material.density * wave_speed**2) if viscous_pressure else 0.0
         factor = damped_step_factor(self.points.viscosity, relative) * self._background.step_factor()
         step = self.cfl * factor * self.cell_size / self._fastest_wave(speed, wave_speed)
         return step if self._conduction is None else min(step, self._conduction.limit)
@@ -372,45 +390,3 @@ class Solver(Restartable, Body):
             carried = self._background.carried(self._places, self.affine)
             squares += (carried * self.affine).sum(axis=(1, 2))
         return 0.5 * float((self.particle_mass * squares).sum())
-
-    def kinetic_energy(self) -> float:
-        """Kinetic energy at `time` [J]."""
-        return self.ledger.kinetic
-
-    @property
-    def angular_momentum(self) -> float | np.ndarray:
-        """About the origin [kg m^2/s], with what affine velocities carry: a number in the plane, (3,) in space."""
-        if isinstance(self.geometry, Axisymmetric):
-            raise AttributeError("a body of revolution has no angular momentum in its plane")
-        x, v = self.positions, self.velocities
-        spin = np.einsum("nj,ni->nij", x, v)
-        if self.affine is not None:
-            carried = self._background.carried(self._places, self.affine)
-            if isinstance(self.configuration, Total):
-                d = x.shape[1]
-                carried = carried @ self.points.old_deformation_gradient[:, :d, :d].transpose(0, 2, 1)
-            spin += carried
-        spin = (self.particle_mass[:, None, None] * spin).sum(axis=0)
-        whole = spin - spin.T
-        return float(whole[1, 0]) if len(whole) == 2 else np.array([whole[2, 1], whole[0, 2], whole[1, 0]])
-
-    def boundary_force(self, name: str) -> np.ndarray:
-        """Force (d,) [N] of a boundary with prescribed motion or symmetry on the body in the last step.
-
-        Raises SceneError for any other boundary.
-        """
-        mirrors = self._background.mirrors
-        known = [
-            *self._supports.names,
-            *(mirror_name for mirror in mirrors for mirror_name in mirror.names),
-        ]
-        if name not in known:
-            raise SceneError(f"boundary {name!r} exerts no force of its own; {suggestion(name, known)}")
-        if name in self._supports.names:
-            return self._reactions.get(name, np.zeros(self.mesh.dimension)).copy()
-        return self._background.mirror_force(next(m for m in mirrors if name in m.names))
-
-    @property
-    def in_contact(self) -> bool:
-        """Whether the wall has pushed during the last step."""
-        return self.wall_force != 0.0

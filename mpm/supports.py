@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from core_models.errors import SceneError
+from core_models.errors import RunFailure, SceneError
 from core_models.geometry import Geometry
 from core_models.loads import Load, Prescribed, at_points, supports
 from mpm.anchors import Anchors
@@ -21,20 +21,23 @@ from mpm.background import Background
 from mpm.particles import Particles
 from mpm.surface import Surface
 
-MOST_ITERATIONS = 60
+MOST_ITERATIONS = 400
 CLOSE = 1e-8  # of the largest velocity to be corrected
+FAR = 1e-2  # of that: what may be left where points almost coincide
 ROUND_OFF = 1e-13  # of the largest velocity: changes smaller than that are none
 
 
 class Hold(NamedTuple):
     """What supports did in a step [J].
 
-    work : impulses times prescribed velocities. lost : where the body starts with other velocities.
+    work : impulses times the mean of the velocities prescribed for the last step and this one. lost : what the body
+    brings with other velocities than those of the last step. later : impulses times velocities after.
     energy : that was added to the kinetic energy of the grid. impulses : (d,) [N s] by boundary.
     """
 
     work: float
     lost: float
+    later: float
     energy: float
     impulses: dict[str, np.ndarray]
 
@@ -65,60 +68,76 @@ class Supports:
     def impose(
         self,
         background: Background,
+        earlier: float,
         time: float,
         positions: np.ndarray,
         deformation_gradient: np.ndarray,
-        starting: bool,
     ) -> Hold:
         """Change the velocities after the forces so that they are those prescribed at a time [s].
 
-        starting : whether this is the body's first step.
+        earlier : time of the last step's velocities [s]; the present one in the first step.
+        Raises RunFailure where the prescribed velocities cannot be reached.
         """
         total = {name: np.zeros(self._dimension) for name in self.names}
         places = {
             name: s.places(background.configuration, positions, deformation_gradient)
             for name, s in self._surfaces.items()
         }
-        work, lost, energy = 0.0, 0.0, 0.0
+        work, lost, later, energy = 0.0, 0.0, 0.0, 0.0
         for axis, loads in enumerate(self._by_axis):
             if not loads:
                 continue
             anchors = background.anchors(np.concatenate([places[load.boundary] for load in loads]))
-            wanted = np.concatenate(
-                [
-                    at_points(load.velocity, self._surfaces[load.boundary].reference_points, time)
-                    for load in loads
-                ]
-            )
+            last, wanted = (self._prescribed(loads, at) for at in (earlier, time))
             found = anchors.after(axis)
             scale = max(float(np.abs(wanted).max()), float(np.abs(found).max()))
             impulses = solve(anchors, axis, wanted - found, ROUND_OFF * scale)
             anchors.push(axis, impulses)
             reached = anchors.after(axis)
-            work += float((impulses * reached).sum())
-            lost += anchors.jump(axis) if starting else 0.0
+            work += 0.5 * float((impulses * (last + reached)).sum())
+            lost += 0.5 * float((impulses * (last - anchors.before(axis))).sum())
+            later += float((impulses * reached).sum())
             energy += 0.5 * float((impulses * (found + reached)).sum())
             cuts = np.cumsum([len(places[load.boundary]) for load in loads])[:-1]
             for load, part in zip(loads, np.split(impulses, cuts), strict=True):
                 total[load.boundary][axis] += part.sum()
-        return Hold(work, lost, energy, total)
+        return Hold(work, lost, later, energy, total)
+
+    def _prescribed(self, loads: list[Prescribed], time: float) -> np.ndarray:
+        """Prescribed velocities (k,) [m/s] of all points of some supports."""
+        points = [self._surfaces[load.boundary].reference_points for load in loads]
+        return np.concatenate(
+            [at_points(load.velocity, at, time) for load, at in zip(loads, points, strict=True)]
+        )
 
 
 def solve(anchors: Anchors, axis: int, wanted: np.ndarray, smallest: float) -> np.ndarray:
-    """Impulses (k,) [N s] at the points that change their velocities by `wanted` (k,) [m/s]: conjugate gradients.
+    """Impulses (k,) [N s] at the points that change their velocities by `wanted` (k,) [m/s]: conjugate gradients,
+    each point's residual in proportion to the impulse that would remove it.
 
     smallest : change of velocity [m/s] that does not matter.
+    Raises RunFailure where no impulses do that.
     """
-    impulses, rest = np.zeros_like(wanted), wanted.copy()
-    direction, square = rest.copy(), float((rest * rest).sum())
-    goal = max(CLOSE * float(np.abs(wanted).max()), smallest)
+    impulses, rest, over = np.zeros_like(wanted), wanted.copy(), 1.0 / anchors.own_response(axis)
+    direction, square = over * rest, float((rest * over * rest).sum())
+    largest = float(np.abs(wanted).max())
+    goal = max(CLOSE * largest, smallest)
     for _ in range(MOST_ITERATIONS):
         if float(np.abs(rest).max()) <= goal:
-            break
+            return impulses
         response = anchors.response(axis, direction)
-        step = square / float((direction * response).sum())
+        power = float((direction * response).sum())
+        if not power > 0.0:
+            break
+        step = square / power
         impulses += step * direction
         rest -= step * response
-        square, before = float((rest * rest).sum()), square
-        direction = rest + square / before * direction
+        square, before = float((rest * over * rest).sum()), square
+        direction = over * rest + square / before * direction
+    if not float(np.abs(rest).max()) <= FAR * largest:
+        raise RunFailure(
+            f"the supports cannot hold the body: velocities of component {axis} are off by up to "
+            f"{float(np.abs(rest).max()):.3g} m/s where {largest:.3g} m/s are to be corrected; supports within a cell "
+            "of each other have to agree: use smaller cells, or take one of them off"
+        )
     return impulses

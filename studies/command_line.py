@@ -17,7 +17,7 @@ VERBS = {
     "models": "list the material laws, or explain one",
     "drive": "try a material law: one point along a path of strains and stresses",
     "bench": "measure the speed of this machine",
-    "study": "run a study and write its report: verification, experiments, work-precision, ...",
+    "study": "run a study and write its report: verification, necking, experiments, work-precision",
 }
 EXAMPLES = """examples:
   matpoint compare taylor-copper-jc --out results/copper

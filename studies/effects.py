@@ -7,16 +7,17 @@ from core_models.laws import heat_capacity
 from core_models.material import Effect
 from core_models.walls import MEANING
 from studies.scene import Scene
+from studies.variants import read_variant
 
 STANDARD_GRAVITY = 9.80665  # m/s^2
 
 
-def scene_effects(scene: Scene, wall: str) -> list[Effect]:
-    """All effects of a scene under a wall, on and off, each with its reason."""
-    return [*scene.material.effects(), *_own_effects(scene, wall)]
+def scene_effects(scene: Scene, wall: str, methods: tuple[str, ...] = ()) -> list[Effect]:
+    """All effects of a scene under a wall by some methods, on and off, each with its reason."""
+    return [*scene.material.effects(), *_own_effects(scene, wall, methods)]
 
 
-def _own_effects(scene: Scene, wall: str) -> list[Effect]:
+def _own_effects(scene: Scene, wall: str, methods: tuple[str, ...]) -> list[Effect]:
     viscosity = scene.viscosity
     return [
         Effect(f"wall ({wall})", True, f"rigid: {MEANING[wall]}"),
@@ -24,8 +25,16 @@ def _own_effects(scene: Scene, wall: str) -> list[Effect]:
         Effect("bulk viscosity", viscosity is not None, _viscosity_reason(viscosity)),
         Effect("heat conduction", scene.conduction, _conduction_reason(scene, wall)),
         Effect("gravity", False, _gravity_reason(scene, wall)),
-        Effect("three dimensions", False, "the scene is axisymmetric; no twist, no buckling"),
+        Effect("three dimensions", *_dimensions(methods)),
     ]
+
+
+def _dimensions(methods: tuple[str, ...]) -> tuple[bool, str]:
+    """Whether some of the methods simulate the bar in three dimensions, and what that means."""
+    spatial = [name for name in methods if read_variant(name).is_spatial]
+    if not spatial:
+        return False, "the methods are axisymmetric; no twist, no buckling"
+    return True, f"a quarter between two symmetry planes: {', '.join(spatial)}; no twist, no buckling"
 
 
 def _friction_reason(scene: Scene) -> str:
@@ -53,7 +62,7 @@ def _heat_travels(scene: Scene, wall: str) -> float:
 
 def _gravity_reason(scene: Scene, wall: str) -> str:
     change = STANDARD_GRAVITY * scene.end.limit(wall)
-    return f"would change velocities by {change:.1g} m/s of {-scene.bar.velocity:g} m/s; not offered yet"
+    return f"would change velocities by {change:.1g} m/s of {-scene.bar.velocity:g} m/s; scenes have no loads"
 
 
 def _viscosity_reason(viscosity) -> str:

@@ -85,3 +85,22 @@ def build_solver(scene: Scene, method: str, resolution: int, wall: str, threads:
     import mpm
 
     return mpm.Solver(mesh, scene.material, cell_size=scene.bar.radius / resolution, **common)
+
+
+def check_solver(scene: Scene, method: str, resolution: int, wall: str, threads: int) -> None:
+    """Refuse what building the solver would refuse, without compiling anything that only a run needs.
+
+    Raises SceneError, MeshError or UnsupportedError.
+    """
+    variant = read_variant(method)
+    if variant.solver != "fem-explicit":
+        build_solver(scene, method, resolution, wall, threads)
+        return
+    from core_models.threads import Threads
+    from fem.cures.choice import find_cure
+    from fem.elements import FULL, find_element
+
+    integration = variant.options.get("integration", FULL)
+    find_element(variant.kind, integration)
+    find_cure(variant.options.get("cure"), variant.kind, integration)
+    Threads(threads)

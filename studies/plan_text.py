@@ -35,7 +35,7 @@ def plan_text(
         f"wall     {wall}{_friction(scene)}\n"
         f"end      {_end(scene, wall)}\n"
         f"material {_laws(scene.material)}",
-        aligned(_effect_rows(scene, wall)),
+        aligned(_effect_rows(scene, wall, methods or tuple(METHODS))),
         "what the numbers ask for\n" + decisions_text(decisions(scene, wall)),
         aligned(_run_rows(scene, methods or tuple(METHODS), resolutions, wall)),
     ]
@@ -69,8 +69,8 @@ def _end(scene: Scene, wall: str) -> str:
     return limit
 
 
-def _effect_rows(scene: Scene, wall: str) -> list[list[str]]:
-    effects = scene_effects(scene, wall)
+def _effect_rows(scene: Scene, wall: str, methods: tuple[str, ...]) -> list[list[str]]:
+    effects = scene_effects(scene, wall, methods)
     width = max(len(effect.reason) for effect in effects)
     return [[e.name, "on " if e.on else "off", e.reason.ljust(width)] for e in effects]
 

@@ -28,10 +28,13 @@ def run_entry(result: RunResult) -> dict:
         "cost": asdict(result.cost),
         "conservation": result.conservation,
         "energies": result.energies,
-        "effects": [effect_entry(effect) for effect in scene_effects(result.scene, result.wall)],
+        "numerical_fracture": result.numerical_fracture,
         "decisions": [
             asdict(decision) | {"wanted": decision.wanted}
             for decision in decisions(result.scene, result.wall)
+        ],
+        "effects": [
+            effect_entry(effect) for effect in scene_effects(result.scene, result.wall, (result.method,))
         ],
     }
 

@@ -1,6 +1,7 @@
 """What comes of a run, as one object."""
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -25,7 +26,7 @@ class RunResult:
     """A run; when it went wrong `failure` is set and quantities and final state are missing.
 
     resumed: how often it went on from a checkpoint; ended: why the run ended; conservation: relative errors of
-    mass, momentum, energy; energies [J].
+    mass, momentum, energy; energies [J]; numerical_fracture: what `FractureWatch` has found, or None.
     """
 
     scene: Scene
@@ -42,6 +43,7 @@ class RunResult:
     quantities: dict[str, Quantity] = field(default_factory=dict)
     conservation: dict[str, float] = field(default_factory=dict)
     energies: dict[str, float] = field(default_factory=dict)
+    numerical_fracture: dict[str, Any] | None = None
     final: FinalState | None = None
 
     @property

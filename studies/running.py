@@ -15,6 +15,7 @@ from studies.contact_watch import ContactWatch
 from studies.costs import Cost, measured
 from studies.deadline import Deadline
 from studies.ending import Ending
+from studies.fracture_watch import FractureWatch
 from studies.frames import Frames, cell_data
 from studies.history import ENERGIES, History
 from studies.methods import build_solver, check_run, resolutions_of
@@ -86,8 +87,9 @@ def simulate(
         cost.setup_s = time.perf_counter() - began
         mass = solver.mass
         contact, history = ContactWatch(), History(folder, scene.end.limit(wall))
+        fracture = FractureWatch()
         ending = Ending(scene, wall, contact)
-        observers: list[Observer] = [contact]
+        observers: list[Observer] = [contact, fracture]
         if within is not None:
             observers.append(Deadline(within))
         if progress:
@@ -105,6 +107,7 @@ def simulate(
         result = RunResult(scene, method, resolution, wall, threads, history, cost, resumed=spent.resumed)
         result.failure = _advance(solver, ending, observers, cost, saved)
     cost.add(spent.wall_s, spent.cpu_s)
+    result.numerical_fracture = fracture.found
     _conclude(result, solver, ending, contact, mass)
     if folder is not None:
         _record(result, folder)

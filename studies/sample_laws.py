@@ -8,8 +8,10 @@ from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
+from core_models.erosion.delete import DeletePoint
 from core_models.erosion.no_shear import AllowNoShear
 from core_models.erosion.no_tension import AllowNoTension
+from core_models.erosion.preserve_stress import PreserveStress
 from core_models.erosion.zero_stress import ZeroStress
 from core_models.expansion.isotropic import IsotropicExpansion
 from core_models.flow.anand import Anand
@@ -24,6 +26,10 @@ from core_models.flow.voce import Voce
 from core_models.flow.zerilli_armstrong import ZerilliArmstrong
 from core_models.heating.isentropic import IsentropicHeating
 from core_models.heating.taylor_quinney import TaylorQuinney
+from core_models.kinematic_hardening.armstrong_frederick import ArmstrongFrederick
+from core_models.kinematic_hardening.chaboche import Chaboche
+from core_models.kinematic_hardening.prager import Prager
+from core_models.kinematic_hardening.ziegler import Ziegler
 from core_models.melting.burakovsky_preston_silbar import BurakovskyMelting
 from core_models.melting.constant import ConstantMelting
 from core_models.melting.steinberg_cochran_guinan import SteinbergMelting
@@ -37,9 +43,13 @@ from core_models.shear_modulus.varshni import VarshniShearModulus
 from core_models.specific_heat.constant import ConstantSpecificHeat
 from core_models.specific_heat.copper import CopperSpecificHeat
 from core_models.specific_heat.steel import SteelSpecificHeat
+from core_models.stability.drucker import DruckerStability
+from core_models.stability.hyperbolicity import HyperbolicityLoss
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.yield_condition.drucker_prager import DruckerPrager
+from core_models.yield_condition.mohr_coulomb import MohrCoulomb
 from core_models.yield_condition.von_mises import VonMises
 
 DENSITY, BULK, SHEAR = 8930.0, 136.35e9, 45.45e9
@@ -52,6 +62,7 @@ def _shipped(name: str) -> tuple:
 SAMPLES = {
     "update": [HypoelasticPlastic(), HyperelasticPlastic(), CompressibleNeoHookean()],
     "elasticity": [IsotropicElastic(BULK, SHEAR)],
+    "objective_rate": [Logarithmic(), Jaumann()],
     "eos": [DefaultHypoelastic(BULK), NeoHookean(BULK), MieGruneisen(DENSITY, 3940.0, 2.02, 1.489)],
     "flow": [
         PerfectPlasticity(90e6),
@@ -70,7 +81,13 @@ SAMPLES = {
         _shipped("copper_ofhc_preston_tonks_wallace"),
         Anand(56.33e6, 10830.0, 1.49e7, 11.0, 0.303, 2640.75e6, 80.415e6, 0.0231, 1.34),
     ],
-    "yield_condition": [VonMises()],
+    "yield_condition": [VonMises(), DruckerPrager(0.2, 0.1), MohrCoulomb(30.0, 10.0)],
+    "kinematic_hardening": [
+        Prager(1e9),
+        Ziegler(1e9),
+        ArmstrongFrederick(40e9, 400.0),
+        Chaboche((40e9, 1e9), (400.0, 0.0)),
+    ],
     "shear_modulus": [
         ConstantShearModulus(SHEAR),
         VarshniShearModulus(47.7e9, 3e9, 180.0),
@@ -93,6 +110,6 @@ SAMPLES = {
     "specific_heat": [ConstantSpecificHeat(383.0), CopperSpecificHeat(), SteelSpecificHeat()],
     "heating": [TaylorQuinney(0.9), IsentropicHeating(0.9)],
     "expansion": [IsotropicExpansion(1.7e-5, 294.0)],
-    "erosion": [ZeroStress(), AllowNoTension(), AllowNoShear()],
-    "objective_rate": [Jaumann(), Logarithmic()],
+    "stability": [DruckerStability(), HyperbolicityLoss()],
+    "erosion": [ZeroStress(), AllowNoTension(), AllowNoShear(), PreserveStress(), DeletePoint()],
 }  # fmt: skip

@@ -67,7 +67,7 @@ def _laws_given(blocks: Blocks, card: Numbers) -> dict[str, Any]:
 
 
 def _constants(card: Numbers) -> dict[str, Any]:
-    fields: dict[str, Any] = {"thermal_conductivity": card.get("thermal_conductivity")}
+    fields: dict[str, Any] = {name: card.get(name) for name in ("thermal_conductivity", "damage_radius")}
     if "room_temp" in card:
         fields["room_temperature"] = card["room_temp"]
     if "melt_temp" in card:

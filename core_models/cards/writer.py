@@ -1,5 +1,6 @@
 """Materials written as cards."""
 
+import math
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -104,6 +105,8 @@ def _add_law(
 def _stated(
     model: ModelSchema, law: tuple, card: Mapping[str, float | None]
 ) -> tuple[tuple[Parameter, ...], dict[str, float]]:
-    """The parameters that the block must state (the card around it gives the others) and all numbers."""
+    """The parameters that the block must state (the card or the default, infinite, gives the others), all numbers."""
     numbers = {p.tag: getattr(law, p.field) for p in model.parameters}
-    return tuple(p for p in model.parameters if card.get(p.fallback) != numbers[p.tag]), numbers
+    return tuple(
+        p for p in model.parameters if numbers[p.tag] not in (card.get(p.fallback), math.inf)
+    ), numbers

@@ -3,11 +3,11 @@
 from typing import NamedTuple
 
 from core_models.elementary import exponential, logarithm
-from core_models.laws import damage_increment
+from core_models.laws import damage_increment, strength_taken
 
 
 class JohnsonCookDamage(NamedTuple):
-    """Johnson-Cook damage: D = sum dep / eps_f, reported; it acts on the stress only through an erosion law.
+    """Johnson-Cook damage: D = sum dep / eps_f; it acts on the stress by `coupling` or through an erosion law.
 
         eps_f = [D1 + D2 exp(D3 s*)] [1 + D4 ln max(rate, 1)] [1 + D5 T*],   s* = sigma_m / sigma_eq in [-1.5, 1.5]
 
@@ -15,7 +15,8 @@ class JohnsonCookDamage(NamedTuple):
 
     Parameters
     ----------
-    D1 ... D5 : [-]. T_r, T_m : [K], T_m > T_r.
+    D1 ... D5 : [-]. T_r, T_m : [K], T_m > T_r. coupling : the flow stress is (1 - coupling D) of that of the flow law,
+    with D up to 1 [-], in [0, 1].
 
     Variant: plastic rate and true triaxiality; eps_f is not below 1e-3 (sets such as 6061-T6 turn negative at high
     triaxiality). Source: Johnson & Cook, Eng. Fract. Mech. 21 (1985) 31.
@@ -28,6 +29,7 @@ class JohnsonCookDamage(NamedTuple):
     D5: float
     T_r: float
     T_m: float
+    coupling: float = 0.0
 
     uses_temperature = True
 
@@ -43,6 +45,11 @@ class JohnsonCookDamage(NamedTuple):
 
 SMALLEST_FAILURE_STRAIN = 1e-3
 LARGEST_TRIAXIALITY = 1.5
+
+
+@strength_taken.register(JohnsonCookDamage)
+def _(damage, value):
+    return damage.coupling * min(value, 1.0)
 
 
 @damage_increment.register(JohnsonCookDamage)

@@ -5,11 +5,11 @@ from typing import NamedTuple
 
 from core_models.compilation import inside_kernel
 from core_models.elementary import logarithm, power
-from core_models.laws import damage_increment
+from core_models.laws import damage_increment, strength_taken
 
 
 class SandiaDamage(NamedTuple):
-    """Sandia damage: voids that grow after Bammann, Chiesa and Johnson (Cocks and Ashby); it acts only through erosion.
+    """Sandia damage: voids that grow after Bammann, Chiesa and Johnson (Cocks and Ashby).
 
         d phi / d ep = [1 / (1 - phi)^m - (1 - phi)] sinh[2 (2 m - 1) / (2 m + 1) sigma_m / sigma_eq]
         D = H(phi) / H(critical_porosity),   H = ln{[1 - (1 - phi)^(m+1)] / [1 - (1 - initial_porosity)^(m+1)]}
@@ -20,7 +20,8 @@ class SandiaDamage(NamedTuple):
     Parameters
     ----------
     m : exponent of the viscous matrix [-], > 1/2. initial_porosity, critical_porosity : volume fraction of voids [-],
-    0 < initial_porosity < critical_porosity < 1.
+    0 < initial_porosity < critical_porosity < 1. coupling : the flow stress is (1 - coupling D) of that of the flow
+    law, with D up to 1 [-], in [0, 1]; D acts by it or through an erosion law.
 
     Variant: true triaxiality; voids do not shrink under pressure; the argument of sinh is at most 20. Sandia's LAME
     has the factor sqrt(2/3), its strain rate being the norm |D_p|.
@@ -30,6 +31,7 @@ class SandiaDamage(NamedTuple):
     m: float
     initial_porosity: float
     critical_porosity: float
+    coupling: float = 0.0
 
 
 LARGEST_ARGUMENT = 20.0
@@ -62,6 +64,11 @@ def _growth_by_triaxiality(damage, triaxiality):
     argument = 2.0 * (2.0 * damage.m - 1.0) / (2.0 * damage.m + 1.0) * triaxiality
     argument = min(max(argument, 0.0), LARGEST_ARGUMENT)
     return math.sinh(argument)
+
+
+@strength_taken.register(SandiaDamage)
+def _(damage, value):
+    return damage.coupling * min(value, 1.0)
 
 
 @damage_increment.register(SandiaDamage)

@@ -2,18 +2,31 @@
 
 from typing import NamedTuple
 
-from core_models.laws import eroded_stress
+from core_models.erosion.decay import damage_in_decay, left_after_failure
+from core_models.laws import damage_after, eroded_stress
+from core_models.tensors import scaled
 
 
 class ZeroStress(NamedTuple):
     """A point whose damage has reached 1 carries no stress.
 
-    Source: Uintah's erosion algorithm `ZeroStress`, without its decay time.
+    Parameters
+    ----------
+    decay_time : what is lost decays as exp(-(t - t_failure) / decay_time) [s]; 0: at once.
+
+    Strength decays, that is the flow stress: what a point carries already never grows.
+    Source: Uintah's erosion algorithm `ZeroStress`.
     """
+
+    decay_time: float = 0.0
 
 
 @eroded_stress.register(ZeroStress)
 def _(erosion, damage, deviator, mean_stress):
-    if damage < 1.0:
-        return deviator, mean_stress
-    return (0.0, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0
+    left = left_after_failure(erosion.decay_time, damage)
+    return scaled(deviator, left), mean_stress * left
+
+
+@damage_after.register(ZeroStress)
+def _(erosion, damage, increment, dt):
+    return damage_in_decay(erosion.decay_time, damage, increment, dt)

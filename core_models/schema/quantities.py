@@ -10,6 +10,13 @@ CONSTANTS = (
     ),
     Parameter("room_temp", "K", POSITIVE, "room temperature", "room_temperature", optional=True),
     Parameter(
+        "damage_radius",
+        "m",
+        POSITIVE,
+        "radius over which the growth of damage is averaged; local without",
+        optional=True,
+    ),
+    Parameter(
         "melt_temp", "K", POSITIVE, "melting temperature", "melting.melting_temperature", optional=True
     ),
 )

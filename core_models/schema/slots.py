@@ -1,5 +1,7 @@
 """The card schema of all slots: which types fill them, and with which tags."""
 
+from dataclasses import replace
+
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
@@ -9,14 +11,25 @@ from core_models.heating.taylor_quinney import TaylorQuinney
 from core_models.objective_rate.jaumann import Jaumann
 from core_models.objective_rate.logarithmic import Logarithmic
 from core_models.schema.damage import DAMAGE, EROSION
-from core_models.schema.entries import NOT_NEGATIVE, POSITIVE, ZERO, Inert, ModelSchema, Parameter, SlotSchema
+from core_models.schema.entries import (
+    NOT_NEGATIVE,
+    POSITIVE,
+    ZERO,
+    Inert,
+    Interval,
+    ModelSchema,
+    Parameter,
+    SlotSchema,
+)
 from core_models.schema.flow import FLOW
 from core_models.schema.quantities import HEATED_FRACTION, TOLERANCE
 from core_models.schema.state_functions import MELTING, SHEAR_MODULUS, SPECIFIC_HEAT
+from core_models.schema.yielding import KINEMATIC_HARDENING, YIELD_CONDITION
+from core_models.stability.drucker import DruckerStability
+from core_models.stability.hyperbolicity import HyperbolicityLoss
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
-from core_models.yield_condition.von_mises import VonMises
 
 UPDATE = SlotSchema(
     slot="update",
@@ -103,16 +116,6 @@ EOS = SlotSchema(
     unavailable=("mie_gruneisen_energy",),
 )
 
-YIELD_CONDITION = SlotSchema(
-    slot="yield_condition",
-    tags=("yield_condition",),
-    places=("constitutive_model",),
-    absent="vonMises where there is a flow law",
-    models=(ModelSchema(("vonMises",), VonMises, "q = sqrt(3/2 s:s) <= flow stress"),),
-    plain=("none",),
-    unavailable=("gurson", "rousselier"),
-)
-
 HEATING = SlotSchema(
     slot="heating",
     tags=("heating_model",),
@@ -124,7 +127,7 @@ HEATING = SlotSchema(
             types=("isentropic",),
             law=IsentropicHeating,
             help="heat from plastic work and from the change of volume; with mie_gruneisen",
-            parameters=(HEATED_FRACTION,),
+            parameters=(replace(HEATED_FRACTION, range=Interval(0.0, 1.0)),),
         ),
     ),
     plain=("none",),
@@ -149,22 +152,21 @@ EXPANSION = SlotSchema(
     plain=("none",),
 )
 
-KINEMATIC_HARDENING = SlotSchema(
-    slot="kinematic_hardening",
-    tags=("kinematic_hardening_model",),
-    places=("constitutive_model",),
-    absent="none",
-    plain=("none",),
-    unavailable=("prager_hardening", "armstrong_frederick_hardening", "ziegler_hardening"),
-)
-
 STABILITY = SlotSchema(
     slot="stability",
     tags=("stability_check",),
     places=("constitutive_model",),
     absent="none",
+    models=(
+        ModelSchema(("drucker",), DruckerStability, "second-order work; reported, it does not act"),
+        ModelSchema(
+            ("acoustic", "becker"),
+            HyperbolicityLoss,
+            "determinant of the acoustic tensor; reported, it does not act",
+        ),
+    ),
     plain=("none",),
-    unavailable=("drucker", "becker", "drucker_becker", "acoustic"),
+    unavailable=("drucker_becker",),
 )
 
 SLOTS = (

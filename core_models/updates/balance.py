@@ -7,7 +7,9 @@ from core_models.bulk_viscosity import viscous_pressure
 from core_models.compilation import inside_kernel
 from core_models.laws import (
     complete,
+    damage_after,
     damage_increment,
+    elastic_moduli,
     eroded_stress,
     heat_capacity,
     heated_fraction,
@@ -85,10 +87,11 @@ def cold_pressure(material, volume_ratio, temperature, energy):
 @inside_kernel
 def complete_point(material, viscosity, prediction, correction, dt, length, point):
     """State after the step, and what the step did, from the prediction and the return to the yield surface."""
-    j1 = prediction.volume_ratio_1
+    j0, j1 = prediction.volume_ratio_0, prediction.volume_ratio_1
     deviator, deviatoric_work, elastic = complete(material.update, material, prediction, correction, point)
     to_cauchy = stress_measure(material.update, j1) / j1
-    shear = shear_before(material, point, prediction.volume_ratio_0) * to_cauchy
+    # The stable steps of the solvers know the card's modulus: the wave speed is not below that of it.
+    shear = max(shear_before(material, point, j0), elastic_moduli(material.elasticity)[1]) * to_cauchy
     p = advance_pressure(material, viscosity, prediction, dt, length, shear, deviatoric_work, point)
     increment, flow_stress = correction.increment, correction.flow_stress
     dissipation = stress_measure(material.update, j1) * flow_stress * increment
@@ -106,6 +109,22 @@ def complete_point(material, viscosity, prediction, correction, dt, length, poin
 
 
 @inside_kernel
+def left_behind(before):
+    """State and balance of a point that is out of the simulation: nothing but its history stays."""
+    after = PointState(
+        NO_STRESS,
+        before.rotation,
+        before.elastic_left_cauchy_green,
+        before.equivalent_plastic_strain,
+        before.hardening_variable,
+        before.temperature,
+        before.damage,
+        before.internal_energy,
+    )
+    return after, Balance(0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@inside_kernel
 def heated(material, temperature, dissipation, before, after):
     """Temperature after the step: rho_0 c (T_1 - T_0) = fraction dissipation, per reference volume, and what the
     change of J from `before` to `after` adds.
@@ -120,9 +139,10 @@ def heated(material, temperature, dissipation, before, after):
 @inside_kernel
 def damaged(material, point, increment, dt, mean_stress, equivalent_stress):
     """Damage variable after the step."""
-    return point.damage + damage_increment(
+    added = damage_increment(
         material.damage, increment, increment / dt, point.temperature, mean_stress, equivalent_stress
     )
+    return damage_after(material.erosion, point.damage, added, dt)
 
 
 @inside_kernel

@@ -6,10 +6,10 @@ points and then carefully for those which that leaves.
 
 from core_models.columns import get_point, put_point
 from core_models.compilation import inside_kernel
-from core_models.laws import predict, predict_carefully
+from core_models.laws import is_out, predict, predict_carefully
 from core_models.rows import F0, F1, GUESS, LENGTH, ROTATION_1, get, get_tensor, put, put_vector
 from core_models.status import OK, UNSETTLED
-from core_models.updates.balance import complete_point, put_balance
+from core_models.updates.balance import complete_point, left_behind, put_balance
 from core_models.updates.prediction import (
     correct,
     get_correction,
@@ -26,7 +26,7 @@ def advance_elastoplastic(update, rows, statuses, count, model, viscosity, dt):
     """What `advance_rows` (core_models.laws) does for an elastic-plastic update."""
     predict_rows(rows, statuses, count, model)
     correct_rows(rows, statuses, count, model, 1.0 / dt)
-    complete_rows(rows, count, model, viscosity, dt)
+    complete_rows(rows, statuses, count, model, viscosity, dt)
 
 
 @inside_kernel
@@ -75,12 +75,22 @@ def correct_rows(rows, statuses, count, model, over_dt):
 
 
 @inside_kernel
-def complete_rows(rows, count, model, viscosity, dt):
+def complete_rows(rows, statuses, count, model, viscosity, dt):
     """State after the step of the points in the rows."""
     for k in range(count):
+        before = get_point(rows, k)
         point, balance = complete_point(
-            model, viscosity, get_prediction(rows, k), get_correction(rows, k), dt, get(rows, LENGTH, k),
-            get_point(rows, k),
-        )  # fmt: skip
+            model,
+            viscosity,
+            get_prediction(rows, k),
+            get_correction(rows, k),
+            dt,
+            get(rows, LENGTH, k),
+            before,
+        )
+        if is_out(model.erosion, before.damage):
+            point, balance = left_behind(before)
+            statuses[k] = OK
+            put_vector(rows, ROTATION_1, k, before.rotation)
         put_point(rows, k, point)
         put_balance(rows, k, balance)

@@ -70,24 +70,26 @@ def linearise_elastoplastic(update, rows, statuses, count, model, dt, start, str
         before, prediction, correction = get_point(rows, k), get_prediction(rows, k), get_correction(rows, k)
         after, balance = complete_point(model, None, prediction, correction, dt, get(rows, LENGTH, k), before)
         if statuses[k] == OK:
+            flow = flow_before(model, before, prediction.volume_ratio_0)
+            modulus = hardening_modulus(flow, correction.increment, 1.0 / dt, before)
             linearise_point(
                 model, get_tensor(rows, F0, k), get_tensor(rows, F1, k), before, after, prediction, correction,
-                1.0 / dt, start + k, stresses, tangents,
+                modulus, start + k, stresses, tangents,
             )  # fmt: skip
         put_point(rows, k, after)
         put_balance(rows, k, balance)
 
 
 @inside_kernel
-def linearise_point(model, f0, f1, before, after, prediction, correction, over_dt, place, stresses, tangents):
-    """Write first Piola stress and tangent of a point, from its states before and after the step."""
+def linearise_point(model, f0, f1, before, after, prediction, correction, modulus, place, stresses, tangents):
+    """Write first Piola stress and tangent of a point, from its states before and after the step and the hardening
+    modulus of the step.
+    """
     j = prediction.volume_ratio_1
     inverse_f = inverse(f1, determinant(f1))
     tau = scaled(after.stress, j)
     put_stress(stresses, place, tau, inverse_f)
     motion = kinematics(model.update, model, f0, f1, before, prediction)
-    flow = flow_before(model, before, prediction.volume_ratio_0)
-    modulus = hardening_modulus(flow, correction.increment, over_dt, before)
     mean_stress = mean(after.stress)
     by_volume, by_work = pressure_slopes(model, prediction, before, after, mean_stress)
     measure = stress_measure(model.update, j)
@@ -128,9 +130,10 @@ def pressure_slopes(model, prediction, before, after, mean_stress):
     bare, slope, by_energy = cold_pressure(
         model, prediction.volume_ratio_1, before.temperature, after.internal_energy
     )
-    kept = eroded_stress(model.erosion, before.damage, NO_STRESS, bare)[1]
-    if kept != bare:
+    sign = 1.0 if bare > 0.0 else -1.0
+    share = sign * eroded_stress(model.erosion, before.damage, NO_STRESS, sign)[1]
+    if share == 0.0:
         return 0.0, 0.0
     over = 1.0 / (1.0 - 0.5 * by_energy * change)
-    by_volume = slope + 0.5 * by_energy * (mean(before.stress) + mean_stress)
-    return by_volume * over, by_energy * over
+    by_volume = slope + 0.5 * by_energy * (mean(before.stress) + mean_stress / share)
+    return by_volume * over * share, by_energy * over * share

@@ -4,17 +4,15 @@ from typing import NamedTuple
 
 from core_models.compilation import inside_kernel
 from core_models.laws import (
-    eroded_stress,
     guess_increment,
     return_to_surface,
     search_surface,
 )
 from core_models.rows import CORRECTION, PREDICTION, get, get_symmetric, put, put_symmetric
 from core_models.status import OK
-from core_models.updates.conditions import flow_before, melting_before
+from core_models.updates.conditions import carried_shear, flow_before, melting_before
 
 NO_STRESS = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-SHEAR = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0)
 
 
 class Prediction(NamedTuple):
@@ -100,8 +98,9 @@ def get_correction(rows, k):
 @inside_kernel
 def has_no_strength(material, point, volume_ratio):
     """Whether a point has melted or failed: it then carries no deviatoric stress."""
-    has_failed = eroded_stress(material.erosion, point.damage, SHEAR, 0.0)[0][3] == 0.0
-    return has_failed or point.temperature >= melting_before(material, point, volume_ratio)
+    return carried_shear(material, point) == 0.0 or point.temperature >= melting_before(
+        material, point, volume_ratio
+    )
 
 
 @inside_kernel

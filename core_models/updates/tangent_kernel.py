@@ -5,7 +5,12 @@ from core_models.compilation import CHUNK, material_kernel
 from core_models.kernels import add_balance, is_finite
 from core_models.rows import BLOCK
 from core_models.status import NOT_FINITE, OK
-from core_models.updates import hyperelastic_tangent, hypoelastic_tangent, neo_hookean_tangent  # noqa: F401
+from core_models.updates import (  # noqa: F401
+    general_tangent,
+    hyperelastic_tangent,
+    hypoelastic_tangent,
+    neo_hookean_tangent,
+)
 from core_models.updates.balance import get_balance
 from core_models.updates.tangent import linearise_rows
 

@@ -1,5 +1,9 @@
 """Mean dilatation: the volume ratio is that of the whole element (Q1/P0 for linear quads and hexahedra).
 
+In six-node triangles and ten-node tetrahedra (P2/P0) it is stable, but constrains little: per element there are four
+displacements to one volume ratio, against two (Q1/P0 in the plane) or three that the continuum has. They answer too
+softly, by 0.5 % of the length of the classic Taylor bar; a linear volume ratio in each of them would not be stable.
+
 Its part of the stiffness is of rank one, so its part of the stable step is known exactly (`fem.stable_step`):
 
     omega^2 <= K / V sum_a |b_a|^2 / m_a + max_q 2 G min(lambda, 2/3 tr h),   b_a = sum_q w J g_a

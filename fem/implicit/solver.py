@@ -26,6 +26,7 @@ from fem.body import Body
 from fem.cures.choice import NODAL, cures_of, find_cure, make_cure
 from fem.elements import FULL, is_one_point_brick
 from fem.hourglass import DEFAULT
+from fem.implicit.frequency import lowest_frequency
 from fem.implicit.system import ElementSystem
 from fem.shape_readout import ShapeReadout
 from fem.supports import Supports
@@ -91,6 +92,7 @@ class ImplicitSolver(ShapeReadout):
         self.mass = float(self._body.nodal_mass.sum())
         volumes = self._body.space.tables.weights.ravel()
         self.points = MaterialPoints(material, volumes, temperature, None, self.threads)
+        self.points.connect(self.reference_positions)
         self.positions = self.mesh.points.copy()
         self._supports = Supports(loads, self.mesh, self.geometry)
         projection = make_cure(self.cure, self.mesh, self._body.space)
@@ -98,11 +100,11 @@ class ImplicitSolver(ShapeReadout):
             self.mesh, self.geometry, self._body, projection, self.points, material, self._supports,
             tuple(loads), self.threads,
         )  # fmt: skip
-        pattern = Pattern(self._system.tables, ~self._system.fixed.ravel(), self.threads)
-        linear = make_linear_solver(linear_solver, pattern)
+        self._pattern = Pattern(self._system.tables, ~self._system.fixed.ravel(), self.threads)
+        linear = make_linear_solver(linear_solver, self._pattern)
         self.log = ConvergenceLog(log)
-        self.log.add(Start(self.method, pattern.size, len(pattern.columns), linear.name))
-        self._newton = Newton(self._system, pattern, linear, self.log, tolerance, iterations)
+        self.log.add(Start(self.method, self._pattern.size, len(self._pattern.columns), linear.name))
+        self._newton = Newton(self._system, self._pattern, linear, self.log, tolerance, iterations)
         self._increments = Increments(increment, smallest)
         self._forces, self._velocity = np.zeros_like(self.positions), np.zeros_like(self.positions)
         self.time, self.step_count, self.point_updates = 0.0, 0, 0
@@ -135,6 +137,18 @@ class ImplicitSolver(ShapeReadout):
         """Force (d,) [N] of the supports of a boundary on the body; SceneError if it has none."""
         return self._supports.reaction(name)
 
+    def lowest_frequency(self) -> float:
+        """Lowest natural angular frequency at the present state [rad/s]; SingularStiffness for a body that is not held.
+
+        Points are taken within 1 s to where they are, so that they unload elastically at most.
+        """
+        self._refuse_free_motion()
+        system = self._system
+        system.balance(self.positions, self.time, 1.0)
+        free = ~system.fixed
+        masses = np.broadcast_to(self.nodal_mass[:, None], free.shape)[free]
+        return lowest_frequency(self._pattern, system.stiffness(), masses)
+
     def advance(self, limit: float = math.inf) -> None:
         """Make one increment; one without equilibrium is tried again smaller.
 
@@ -142,7 +156,8 @@ class ImplicitSolver(ShapeReadout):
         Raises SingularStiffness naming the motion that no support holds, NoEquilibrium when the increment would become
         smaller than allowed; the last converged state is kept.
         """
-        self._refuse_free_motion()
+        if self.step_count == 0:
+            self._refuse_free_motion()
         number = 0
         dt = step_within(self.time_step, limit - self.time)
         while True:
@@ -193,8 +208,6 @@ class ImplicitSolver(ShapeReadout):
         self.point_updates = self.points.n * len(self.log.iterations)
 
     def _refuse_free_motion(self) -> None:
-        if self.step_count:
-            return
         motion = free_motion(self.mesh.points, self._system.fixed, _bodies(self.mesh), self.geometry)
         if motion:
             raise SingularStiffness(

@@ -21,10 +21,18 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def execute(options: argparse.Namespace) -> int:
     """Print the plan."""
     scene = asked_scene(options)
+    from core_models.walls import check_wall
+    from studies.methods import METHODS, check_solver, planned_runs
     from studies.output_folder import check_unused
     from studies.plan_text import plan_text
 
     if options.out is not None:
         check_unused(options.out)
+    wall = check_wall(options.wall or scene.wall)
+    coarsest: dict[str, int] = {}
+    for method, resolution in planned_runs(scene, options.methods or tuple(METHODS), options.resolution):
+        coarsest.setdefault(method, resolution)
+    for method, resolution in coarsest.items():
+        check_solver(scene, method, resolution, wall, options.threads)
     print(plan_text(scene, options.methods, options.resolution, options.wall))
     return 0

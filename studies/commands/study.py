@@ -17,6 +17,7 @@ from studies.options import Parser
 
 STUDIES = {
     "verification": "problems with known answers, by both methods",
+    "necking": "a bar pulled until it necks, implicitly and explicitly",
     "experiments": "85 Taylor shots against flow laws and methods",
     "stability": "hard cases: stable, rescued, refused or failed",
     "effects": "what each effect of a scene costs and changes",
@@ -41,7 +42,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     for name, summary in STUDIES.items():
         module = import_module(f"studies.commands.studies.{name.replace('-', '_')}")
-        own = studies.add_parser(name, help=summary.replace("%", "%%"), formatter_class=argparse.RawDescriptionHelpFormatter)
+        own = studies.add_parser(
+            name, help=summary.replace("%", "%%"), formatter_class=argparse.RawDescriptionHelpFormatter
+        )
         own.description, own.epilog = module.__doc__.replace("%", "%%").split("\n\n", 1)
         module.add_options(own)
         own.set_defaults(execute_study=module.execute, known_options=own.option_names)

@@ -126,7 +126,7 @@ def ledger_table(comparison: Comparison) -> str:
 
 def effects_table(comparison: Comparison) -> str:
     """What was simulated and what was not, and why."""
-    effects = scene_effects(comparison.scene, comparison.wall)
+    effects = scene_effects(comparison.scene, comparison.wall, tuple(comparison.methods))
     marks = {True: '<span class="on">on</span>', False: '<span class="off">off</span>'}
     return table(
         ["Effect", "", "why"], [[escape(e.name), marks[e.on], escape(e.reason)] for e in effects], words=(2,)

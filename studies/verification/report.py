@@ -13,23 +13,23 @@ from studies.versions import processor, versions
 Results = list[tuple[Problem, Outcome]]
 
 
-def report_page(results: Results, quick: bool) -> str:
+def report_page(results: Results, quick: bool, title: str = "Verification") -> str:
     """The page; raises UnsupportedError when matplotlib is missing."""
     style = "".join(
         files(package).joinpath("style.css").read_text(encoding="utf-8")
         for package in ("studies.report", "studies.verification")
     )
     body = "".join(
-        [_head(results, quick), _summary(results), *(_problem(*each) for each in results), _foot()]
+        [_head(results, quick, title), _summary(results), *(_problem(*each) for each in results), _foot()]
     )
     return (
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<title>Verification</title><style>{style}</style></head><body>{body}</body></html>\n"
+        f"<title>{title}</title><style>{style}</style></head><body>{body}</body></html>\n"
     )
 
 
-def _head(results: Results, quick: bool) -> str:
+def _head(results: Results, quick: bool, title: str) -> str:
     criteria = [criterion for _, outcome in results for criterion in outcome.criteria]
     facts = [
         f"{sum(criterion.met for criterion in criteria)} of {len(criteria)} criteria met",
@@ -42,7 +42,7 @@ def _head(results: Results, quick: bool) -> str:
         "is shown as such; what could not be run says why."
     )
     return (
-        f'<header><h1>Verification</h1><p class="lead">{lead}</p>'
+        f'<header><h1>{title}</h1><p class="lead">{lead}</p>'
         + items("facts", [("", fact) for fact in facts])
         + "</header>"
     )

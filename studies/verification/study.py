@@ -40,11 +40,19 @@ PROBLEMS = {
 """Name of a problem: its module in `problems`, and its name there."""
 
 
+NECKING = {"necking-simo": ("necking_simo", "PROBLEM")}
+"""Problems of the necking study, in the same form."""
+
+STUDIES = {"verification": PROBLEMS, "necking": NECKING}
+"""Problems of each study."""
+
+
 def find_problem(name: str) -> Problem:
-    """The problem of that name; SceneError with the nearest one otherwise."""
-    if name not in PROBLEMS:
-        raise SceneError(f"no verification problem is called {name!r}; {suggestion(name, PROBLEMS)}")
-    module, variable = PROBLEMS[name]
+    """The problem of that name, in whichever study; SceneError with the nearest one otherwise."""
+    problems = PROBLEMS | NECKING
+    if name not in problems:
+        raise SceneError(f"no verification problem is called {name!r}; {suggestion(name, problems)}")
+    module, variable = problems[name]
     return getattr(import_module(f"studies.verification.problems.{module}"), variable)
 
 
@@ -53,8 +61,9 @@ def verify(
     quick: bool,
     out: Path | str,
     tell: Callable[[Problem, Outcome], None] = lambda problem, outcome: None,
+    study: str = "verification",
 ) -> Results:
-    """Run problems, in the order of their names here, and write results.json and report.html.
+    """Run problems of a study, in the order of their names here, and write results.json and report.html.
 
     tell : called with every problem as soon as it has run. Raises SceneError, OutputError before anything is run.
     """
@@ -65,9 +74,9 @@ def verify(
             outcome = timed(problem, quick)
             results.append((problem, outcome))
             tell(problem, outcome)
-        folder.write_text("results.json", to_json(_plain(results_entry(results, quick))))
+        folder.write_text("results.json", to_json(_plain(results_entry(results, quick, study))))
         try:
-            folder.write_text("report.html", report_page(results, quick))
+            folder.write_text("report.html", report_page(results, quick, study.capitalize()))
         except UnsupportedError as reason:
             results[-1][1].remarks.append(f"{reason}; results.json is complete")
     return results
@@ -81,10 +90,10 @@ def timed(problem: Problem, quick: bool) -> Outcome:
     return outcome
 
 
-def results_entry(results: Results, quick: bool) -> dict:
+def results_entry(results: Results, quick: bool, study: str = "verification") -> dict:
     """The content of results.json."""
     return {
-        "study": "verification",
+        "study": study,
         "quick": quick,
         "problems": [
             {

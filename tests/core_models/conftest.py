@@ -22,8 +22,10 @@ from core_models.kernels import advance_points
 from core_models.material import Material
 from core_models.melting.constant import ConstantMelting
 from core_models.specific_heat.constant import ConstantSpecificHeat
+from core_models.updates.continuing_tangent import continuing_tangents
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.updates.tangent_kernel import linearise_points
 from core_models.yield_condition.von_mises import VonMises
 
 GOOD_CARD = Path(__file__).parent / "good_card.xml"
@@ -77,7 +79,8 @@ def refused(read_card, tmp_path):
 @pytest.fixture
 def interpreted(monkeypatch):
     """Let points advance in plain Python: any material, without compilation."""
-    monkeypatch.setattr(points, "advance_points", getattr(advance_points, "py_func", advance_points))
+    for kernel in (advance_points, linearise_points, continuing_tangents):
+        monkeypatch.setattr(points, kernel.__name__, getattr(kernel, "py_func", kernel))
 
 
 @pytest.fixture(scope="session")

@@ -35,14 +35,10 @@ def test_known_but_unavailable_model_says_so(refused, block, types):
     "block",
     [
         '<yield_condition type="gurson"/>',
-        '<stability_check type="drucker"/>',
-        '<stability_check type="becker"/>',
+        '<stability_check type="drucker_becker"/>',
         '<melting_temp_model type="linear_Tm"/>',
         '<specific_heat_model type="cubic_Cp"/>',
-        '<kinematic_hardening_model type="prager_hardening"/>',
-        '<kinematic_hardening_model type="armstrong_frederick_hardening"/>',
-        '<erosion algorithm="PreserveStress"/>',
-        '<erosion algorithm="ZeroStress"><char_time>1e-6</char_time></erosion>',
+        '<erosion algorithm="RemoveMass"/>',
         "<evolve_porosity>true</evolve_porosity>",
     ],
 )

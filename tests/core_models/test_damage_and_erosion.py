@@ -1,15 +1,23 @@
 """Johnson-Cook damage, and what erosion leaves of a failed point."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from core_models.damage.hancock_mackenzie import HancockMackenzieDamage
 from core_models.damage.johnson_cook import JohnsonCookDamage
+from core_models.damage.sandia import SandiaDamage
 from core_models.driver import drive
+from core_models.eos.neo_hookean import NeoHookean
+from core_models.erosion.delete import DeletePoint
 from core_models.erosion.no_shear import AllowNoShear
 from core_models.erosion.no_tension import AllowNoTension
+from core_models.erosion.preserve_stress import PreserveStress
 from core_models.erosion.zero_stress import ZeroStress
 from core_models.laws import damage_increment, eroded_stress
 from core_models.paths import principal_stretches
+from core_models.points import MaterialPoints, PointFailure
 
 COPPER = JohnsonCookDamage(0.54, 4.89, -3.03, 0.014, 1.12, 294.0, 1356.0)
 STEEL = JohnsonCookDamage(0.05, 3.44, -2.12, 0.002, 0.61, 294.0, 1793.0)
@@ -92,3 +100,81 @@ def test_erosion_acts_from_the_step_after_failure(hot_copper):
     failed = np.flatnonzero(damage >= 1.0)[0]
     assert np.all(carried[failed + 1 :] == 0.0)
     assert np.all(carried[1 : failed + 1] > 5e7)
+
+
+DECAYING = [ZeroStress, AllowNoTension, AllowNoShear, DeletePoint]
+
+
+@pytest.mark.usefixtures("interpreted")
+@pytest.mark.parametrize("law", DECAYING)
+@pytest.mark.parametrize("update", ["hypo", "hyper"])
+def test_what_erosion_takes_decays_in_time(hot_copper, update, law):
+    """After failure the flow stress falls as exp(-t / decay_time), and so does tension where the law takes it."""
+    material = hot_copper(update, "linear", erosion=law(2e-6), heating=None, eos=NeoHookean(136.35e9))
+    history = drive(material, TENSION, 1e-6)
+    damage, strain = history.fields["damage"], history.fields["equivalent_plastic_strain"]
+    failed = np.flatnonzero(damage >= 1.0)[0]
+    assert np.diff(damage[failed : failed + 20]) == pytest.approx(0.5)
+    left = np.minimum(np.exp(1.0 - damage[:-1]), 1.0)
+    measure = np.linalg.det(history.deformation_gradient[1:]) if update == "hyper" else 1.0
+    assert history.mises[1:] * measure == pytest.approx(
+        (400e6 + 100e6 * strain[1:]) * left, rel=1e-9, abs=500.0
+    )
+    carried = {AllowNoShear: 1.0}.get(law, left[-1])
+    whole = drive(replace(material, erosion=PreserveStress()), TENSION, 1e-6).pressure[-1]
+    assert history.pressure[-1] == pytest.approx(whole * carried, rel=1e-6, abs=1e6)
+
+
+@pytest.mark.usefixtures("interpreted")
+def test_preserved_stress_is_that_of_a_point_that_has_not_failed(hot_copper):
+    """The law marks the point, by its damage, and takes nothing."""
+    kept, free = (
+        drive(hot_copper("hypo", "jc", erosion=law), TENSION, 1e-6) for law in (PreserveStress(), None)
+    )
+    assert kept.fields["damage"][-1] > 1.2
+    assert np.array_equal(kept.stress, free.stress)
+
+
+@pytest.mark.usefixtures("interpreted")
+@pytest.mark.parametrize("update", ["hypo", "hyper"])
+def test_a_deleted_point_follows_anything_and_carries_nothing(hot_copper, update):
+    """Even an inverted deformation gradient; neighbours are not touched."""
+    material = hot_copper(update, "jc", erosion=DeletePoint())
+    points = MaterialPoints(material, np.ones(2))
+    points.old.damage[0] = 1.0
+    points.deformation_gradient[0] = np.diag([-1.0, 1.0, 1.0])
+    points.deformation_gradient[1] = np.diag([1.001, 1.0, 1.0])
+    points.advance(1e-6)
+    assert not points.new.stress[0].any() and points.new.stress[1, 0] > 1e8
+    assert points.wave_speed[0] < 1e-3 * points.wave_speed[1]
+    points.accept()
+    assert all(np.isfinite(field.array).all() for field in points.fields().values())
+    points.old.damage[0] = 0.5
+    points.deformation_gradient[0] = np.diag([-1.0, 1.0, 1.0])
+    with np.errstate(all="ignore"), pytest.raises(PointFailure, match="inverted"):
+        points.advance(1e-6)
+
+
+@pytest.mark.usefixtures("interpreted")
+@pytest.mark.parametrize("update", ["hypo", "hyper"])
+@pytest.mark.parametrize(
+    "damage",
+    [COPPER, HancockMackenzieDamage(0.0, 1.0), SandiaDamage(6.0, 1e-3, 0.1)],
+    ids=lambda law: type(law).__name__,
+)
+def test_coupled_damage_weakens_the_flow_stress(copper, update, damage):
+    """The stress lies on a yield surface of (1 - coupling D) of its size, D being that before the step."""
+    weak = drive(copper(update, "linear", damage=damage._replace(coupling=0.8)), TENSION[:9], 1e-6)
+    values, strains = weak.fields["damage"], weak.fields["equivalent_plastic_strain"]
+    assert values[-1] > 0.01
+    strength = (400e6 + 100e6 * strains[1:]) * (1.0 - 0.8 * np.minimum(values[:-1], 1.0))
+    measure = np.linalg.det(weak.deformation_gradient[1:]) if update == "hyper" else 1.0
+    assert weak.mises[1:] * measure == pytest.approx(strength, rel=1e-9)
+
+
+def test_coupled_damage_that_nothing_regularises_is_told(copper, caplog):
+    """A warning, as for any softening."""
+    copper("hypo", "linear", damage=COPPER)
+    assert not caplog.records
+    copper("hypo", "linear", damage=COPPER._replace(coupling=0.5))
+    assert "nothing regularises the softening" in caplog.text

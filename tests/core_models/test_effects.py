@@ -32,13 +32,6 @@ def test_absent_heating_names_its_own_cause(copper, hot_copper):
         assert not heating(material).on and cause in heating(material).reason
 
 
-@pytest.mark.parametrize("name", ["kinematic hardening", "loss of stability"])
-def test_effects_that_no_card_can_ask_for_are_listed_as_off(copper, name):
-    """The list is whole: it also has what is not offered yet."""
-    effect = next(effect for effect in copper("hypo", "jc").effects() if effect.name == name)
-    assert not effect.on and "none is offered yet" in effect.reason
-
-
 @pytest.mark.parametrize("name", ["strength under pressure", "variable shear modulus"])
 def test_laws_that_feel_pressure_are_listed(name):
     """Strength and stiffness of Steinberg's copper do, those of Johnson-Cook's do not."""

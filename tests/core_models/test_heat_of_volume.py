@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from core_models import points as points_module
 from core_models.cards.reader import read_material
 from core_models.cards.writer import write_material
 from core_models.driver import drive
@@ -14,7 +13,6 @@ from core_models.errors import MaterialError
 from core_models.expansion.isotropic import IsotropicExpansion
 from core_models.heating.isentropic import IsentropicHeating
 from core_models.heating.taylor_quinney import TaylorQuinney
-from core_models.kernels import advance_points
 from core_models.points import MaterialPoints
 from core_models.specific_heat.constant import ConstantSpecificHeat
 
@@ -22,11 +20,7 @@ BULK, GAMMA = 136.35e9, 2.02
 EXPANSION = IsotropicExpansion(1.7e-5, 294.0)
 UPDATES = ["hypo", "hyper"]
 
-
-@pytest.fixture(autouse=True)
-def plain(monkeypatch):
-    """Let points run in plain Python."""
-    monkeypatch.setattr(points_module, "advance_points", getattr(advance_points, "py_func", advance_points))
+pytestmark = pytest.mark.usefixtures("interpreted")
 
 
 def held_at(material, temperature, deformation):

@@ -60,7 +60,6 @@ SENSELESS = {
         "between 0 and the shear modulus",
     ),
     "negative strength": ({"flow": Perfect(-1e6)}, "yield_stress = -1000000.0 Pa is out of its range"),
-    "slot without laws yet": ({"stability": VonMises()}, "takes no law yet"),
     "no equation of state": ({"eos": None}, "needs a law in the slot eos"),
     "no elasticity": ({"elasticity": None}, "needs a law in the slot elasticity"),
     "update that is none": ({"update": VonMises()}, "is no law for the slot update: use one of"),

@@ -43,16 +43,10 @@ def jaumann(gamma):
 CLOSED_FORMS = {"green_naghdi": green_naghdi, "logarithmic": logarithmic, "jaumann": jaumann}
 
 
-@pytest.fixture
-def plain(monkeypatch):
-    """Let points run in plain Python."""
-    monkeypatch.setattr(points_module, "advance_points", getattr(advance_points, "py_func", advance_points))
-
-
 @pytest.mark.parametrize(
     ("name", "error"), [("green_naghdi", 6e-5), ("logarithmic", 1e-11), ("jaumann", 1.2e-4)]
 )
-def test_simple_shear_has_the_closed_form_of_the_rate(plain, copper, name, error):
+def test_simple_shear_has_the_closed_form_of_the_rate(interpreted, copper, name, error):
     """Stresses over G up to a shear of 10 in steps of 1/50; of the logarithmic rate to round-off, whatever the step."""
     material = copper("hypo", objective_rate=RATES[name])
     gamma = np.linspace(0.0, 10.0, 501)
@@ -64,7 +58,7 @@ def test_simple_shear_has_the_closed_form_of_the_rate(plain, copper, name, error
 
 
 @pytest.mark.parametrize("name", RATES)
-def test_a_rotation_during_a_plastic_step_turns_the_stress_and_nothing_else(plain, copper, name):
+def test_a_rotation_during_a_plastic_step_turns_the_stress_and_nothing_else(interpreted, copper, name):
     """The same steps with another rotation after each, of any size: the stress is turned, to round-off."""
     material = copper("hypo", "linear", objective_rate=RATES[name])
     path, turned = [np.eye(3)], [np.eye(3)]
@@ -96,7 +90,7 @@ def test_in_the_logarithmic_frame_the_strain_grows_with_the_rate_of_deformation(
     assert gaps[1] < 0.011 * gaps[0] < 1e-6
 
 
-def test_the_rates_agree_where_the_axes_do_not_turn(plain, copper):
+def test_the_rates_agree_where_the_axes_do_not_turn(interpreted, copper):
     """Stretch along fixed axes: no rate turns the stress."""
     path = np.array([np.diag([1.0 + t, 1.0 - 0.3 * t, 1.0 - 0.4 * t]) for t in np.linspace(0.0, 0.3, 31)])
     stresses = [
@@ -106,7 +100,7 @@ def test_the_rates_agree_where_the_axes_do_not_turn(plain, copper):
         assert stress == pytest.approx(stresses[0], rel=1e-6, abs=1e3)
 
 
-def test_closed_cycles_leave_nothing_with_the_logarithmic_rate_only(plain, copper):
+def test_closed_cycles_leave_nothing_with_the_logarithmic_rate_only(interpreted, copper):
     """An elastic square cycle of stretch and shear: the other two rates leave a stress behind."""
     square = [(0.0, 0.0), (0.4, 0.0), (0.4, 0.8), (0.0, 0.8), (0.0, 0.0)]
     corners = [np.array([[1.0 + a, b, 0.0], [0.0, 1.0 - 0.5 * a, 0.0], [0.0, 0.0, 1.0]]) for a, b in square]

@@ -38,7 +38,7 @@ def material(name):
 
 
 def test_metals_are_there():
-    """Annealed, OFHC and ETP copper, 4340, HY100, 42CrMo4, Weldox, Armco iron, 6061-T6, tantalum, tungsten, solder."""
+    """Copper (annealed, OFHC, ETP), steel (4340, HY100, 42CrMo4, Weldox), Armco iron, 6061-T6, Ta, W, solder."""
     assert set(shipped_materials()) >= NAMES
 
 

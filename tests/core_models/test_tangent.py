@@ -183,7 +183,9 @@ def test_a_melted_point_has_the_stiffness_of_a_fluid(plain, hot_copper, update):
 
 
 @pytest.mark.parametrize("update", ["hypo", "hyper"])
-@pytest.mark.parametrize("erosion", [ZeroStress(), AllowNoShear(), AllowNoTension()])
+@pytest.mark.parametrize(
+    "erosion", [ZeroStress(), AllowNoShear(), AllowNoTension(), ZeroStress(1e-4), AllowNoTension(1e-4)]
+)
 @pytest.mark.parametrize("stretch", [-0.05, 0.05])
 def test_a_failed_point_has_the_stiffness_that_erosion_leaves(plain, hot_copper, update, erosion, stretch):
     """Points whose damage has reached 1, in compression and in tension."""

@@ -204,7 +204,7 @@ def test_a_fixed_side_takes_all_momentum_that_changes(body):
     assert np.linalg.norm(total) > 0.1 * np.linalg.norm(start)
 
 
-def test_energy_closes_better_in_smaller_cells_where_a_body_is_stopped(body):
+def test_energy_closes_in_cells_of_any_size_where_a_body_is_stopped(body):
     """What the first step takes from a moving body whose side is fixed counts as contact; the rest closes."""
     errors = []
     for finer in (1, 2, 4):
@@ -215,9 +215,7 @@ def test_energy_closes_better_in_smaller_cells_where_a_body_is_stopped(body):
         )
         assert solver.ledger.contact > 0.0
         errors.append(abs(solver.ledger.relative_error))
-    assert errors[0] < 0.05
-    assert errors[1] < 0.7 * errors[0]
-    assert errors[2] < 0.7 * errors[1]
+    assert max(errors) < 1e-3
 
 
 def test_a_uniform_deformation_that_the_sides_follow_is_exact_inside(body):

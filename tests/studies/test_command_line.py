@@ -163,6 +163,19 @@ def test_nonsense_gets_the_list_of_names_and_no_suggestion(capsys):
 
 
 @pytest.mark.parametrize(
+    ("method", "reason"),
+    [
+        ("fem-explicit:hex8+nodal-average", "cure 'nodal-average' is void"),
+        ("mpm:total+cpdi", "has no need of"),
+    ],
+)
+def test_check_refuses_what_run_would_refuse(capsys, method, reason):
+    """Words that do not go together are found before anything runs."""
+    assert main(["check", "taylor-classic", "--method", method, "--resolution", "4"]) == 2
+    assert reason in said(capsys)[1]
+
+
+@pytest.mark.parametrize(
     ("arguments", "run", "taken"),
     [
         (["taylor-classic", "--wall", "plane", "--resolution", "6"], "fem-explicit 6", 12656),

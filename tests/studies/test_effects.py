@@ -57,3 +57,10 @@ def test_wall_friction_is_the_scenes(classic):
     rough = replace(classic, friction=0.15)
     effect = next(effect for effect in scene_effects(rough, rough.wall) if effect.name == "wall friction")
     assert effect.on and "0.15 of the normal" in effect.reason
+
+
+def test_dimensions_are_those_of_the_methods(classic):
+    """A quarter in space is told from a body of revolution."""
+    for methods, on in (((), False), (("mpm", "fem-explicit:hex8"), True), (("mpm:cubic",), False)):
+        effects = scene_effects(classic, classic.wall, methods)
+        assert next(effect.on for effect in effects if effect.name == "three dimensions") is on

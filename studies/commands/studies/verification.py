@@ -19,6 +19,16 @@ UNMET = 1
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Options of `matpoint study verification`."""
+    add_problem_options(parser)
+
+
+def execute(options: argparse.Namespace) -> int:
+    """Run the problems one after the other, print their verdicts and where the report is."""
+    return run_problems(options, "verification")
+
+
+def add_problem_options(parser: argparse.ArgumentParser) -> None:
+    """Options of a study that consists of problems."""
     parser.add_argument("--only", metavar="NAME[,NAME...]", type=names, help="these problems (default: all)")
     parser.add_argument("--quick", action="store_true", help="coarser and fewer runs, the same criteria")
     parser.add_argument(
@@ -26,17 +36,18 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def execute(options: argparse.Namespace) -> int:
-    """Run the problems one after the other, print their verdicts and where the report is."""
-    from studies.verification.study import PROBLEMS, verify
+def run_problems(options: argparse.Namespace, study: str) -> int:
+    """Run the problems of a study one after the other, print their verdicts and where the report is."""
+    from studies.verification.study import STUDIES, verify
     from studies.verification.text import outcome_text
 
-    out = Path(options.out or default_folder("verification"))
+    out = Path(options.out or default_folder(study))
     results = verify(
-        options.only or tuple(PROBLEMS),
+        options.only or tuple(STUDIES[study]),
         options.quick,
         out,
         tell=lambda problem, outcome: print(outcome_text(problem, outcome), flush=True),
+        study=study,
     )
     page = out / "report.html"
     print(page if page.exists() else out / "results.json")

@@ -1,0 +1,1 @@
+"""Kinematic hardening laws."""

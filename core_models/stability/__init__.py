@@ -1,0 +1,1 @@
+"""Checks of whether the material itself becomes unstable."""
