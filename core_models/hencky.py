@@ -1,46 +1,12 @@
-"""Principal values and axes of a symmetric tensor, its logarithm, and what the logarithm does as the tensor changes."""
+"""Logarithm of a symmetric tensor from its principal values and axes, and what it does as the tensor changes."""
 
 import math
 
-from core_models.compilation import beside_kernel, inside_kernel
+from core_models.compilation import inside_kernel
 from core_models.elementary import logarithm
-from core_models.tensors import IDENTITY, congruence, product, trace, transposed
+from core_models.tensors import congruence, determinant, transposed
 
-SWEEPS = 12  # of Jacobi's rotations; the off-diagonal part is squared by each
-NEGLIGIBLE = 1e-36  # square of the off-diagonal part, relative to that of the trace
 CLOSE = 1e-5  # relative distance of principal values below which a series gives their divided difference
-
-
-@beside_kernel
-def principal_axes(s):
-    """Principal values (three) of a positive definite tensor and its axes, the columns of a rotation (nine)."""
-    axes, limit = IDENTITY, NEGLIGIBLE * trace(s) * trace(s)
-    for _sweep in range(SWEEPS):
-        if s[3] * s[3] + s[4] * s[4] + s[5] * s[5] <= limit:
-            break
-        c, n = plane_rotation(s[0], s[1], s[3])
-        turn = (c, -n, 0.0, n, c, 0.0, 0.0, 0.0, 1.0)
-        s, axes = congruence(transposed(turn), s), product(axes, turn)
-        c, n = plane_rotation(s[1], s[2], s[4])
-        turn = (1.0, 0.0, 0.0, 0.0, c, -n, 0.0, n, c)
-        s, axes = congruence(transposed(turn), s), product(axes, turn)
-        c, n = plane_rotation(s[0], s[2], s[5])
-        turn = (c, 0.0, -n, 0.0, 1.0, 0.0, n, 0.0, c)
-        s, axes = congruence(transposed(turn), s), product(axes, turn)
-    return (s[0], s[1], s[2]), axes
-
-
-@inside_kernel
-def plane_rotation(first, second, shear):
-    """Cosine and sine of the smaller rotation in a plane that takes its shear component to zero."""
-    if shear == 0.0:
-        return 1.0, 0.0
-    half_cotangent = 0.5 * (first - second) / shear
-    tangent = math.copysign(
-        1.0 / (abs(half_cotangent) + math.sqrt(1.0 + half_cotangent * half_cotangent)), half_cotangent
-    )
-    c = 1.0 / math.sqrt(1.0 + tangent * tangent)
-    return c, c * tangent
 
 
 @inside_kernel
@@ -73,9 +39,10 @@ def mean_slope(x, y):
 
 @inside_kernel
 def along(axes, vector):
-    """A vector with components along the axes, in the frame of these."""
+    """An axial vector with components along the axes, which may be a left-handed frame, in the frame of these."""
+    hand = determinant(axes)
     return (
-        axes[0] * vector[0] + axes[1] * vector[1] + axes[2] * vector[2],
-        axes[3] * vector[0] + axes[4] * vector[1] + axes[5] * vector[2],
-        axes[6] * vector[0] + axes[7] * vector[1] + axes[8] * vector[2],
+        hand * (axes[0] * vector[0] + axes[1] * vector[1] + axes[2] * vector[2]),
+        hand * (axes[3] * vector[0] + axes[4] * vector[1] + axes[5] * vector[2]),
+        hand * (axes[6] * vector[0] + axes[7] * vector[1] + axes[8] * vector[2]),
     )

@@ -11,7 +11,8 @@ import numpy as np
 from core_models.material import Material
 from core_models.points import MaterialPoints
 from core_models.threads import Threads
-from studies.bench_materials import bench_materials
+from studies.bench_materials import bench_materials, yardstick_material
+from studies.bench_yardstick import by_hand
 from studies.display import number
 from studies.methods import METHODS, build_solver
 from studies.scene_reader import read_scene
@@ -39,6 +40,7 @@ build_solver(read_scene("taylor-copper-jc"), "{method}", 8, "unilateral", 1).adv
 def bench_text(points: int, threads: int) -> str:
     """The speed table, warm; the first time, its kernels are compiled."""
     rows = [["what", "", "median", "fastest"]]
+    rows += _against_the_yardstick(points, threads)
     rows += [
         _row(name, "ns / point", 1e9 / points, _point_update(material, points, threads))
         for name, material in bench_materials()
@@ -70,8 +72,25 @@ def _timed(call: Callable[[], object], repeats: int = REPEATS) -> list[float]:
     return seconds
 
 
+def _against_the_yardstick(count: int, threads: int) -> Iterator[list[str]]:
+    """The hand-written update, and how much longer the machinery of laws takes for the same, in turns."""
+    points = _yielding(yardstick_material(), count, threads)
+    calls = by_hand(points, STEP), lambda: points.advance(STEP)
+    hand, laws = zip(*(tuple(_timed(call, 1)[0] for call in calls) for _ in range(2 * REPEATS)), strict=True)
+    yield _row(
+        "hypoelastic, Johnson-Cook, Mie-Grüneisen, written by hand", "ns / point", 1e9 / count, list(hand)
+    )
+    yield _row("what the machinery of laws takes of that", "1", 1.0, [min(laws) / min(hand)])
+
+
 def _point_update(material: Material, count: int, threads: int) -> list[float]:
     """Seconds of one three-dimensional plastic update of all points."""
+    points = _yielding(material, count, threads)
+    return _timed(lambda: points.advance(STEP))
+
+
+def _yielding(material: Material, count: int, threads: int) -> MaterialPoints:
+    """Points in plastic flow, about to make another step."""
     points = MaterialPoints(material, np.full(count, 1e-9), threads=Threads(threads))
     random = np.random.default_rng(1)
     gradient = STRAIN_STEP * (np.array([[0.3, 1.0, 0.2], [0.1, -0.5, 0.4], [0.0, 0.3, 0.1]]))
@@ -81,7 +100,7 @@ def _point_update(material: Material, count: int, threads: int) -> list[float]:
         points.advance(STEP)
         points.accept()
     points.deformation_gradient[:] = increment @ points.old_deformation_gradient
-    return _timed(lambda: points.advance(STEP))
+    return points
 
 
 def _whole_steps(threads: int) -> Iterator[list[str]]:

@@ -5,7 +5,8 @@ from typing import NamedTuple
 
 from core_models.compilation import beside_kernel, inside_kernel
 from core_models.elementary import logarithm
-from core_models.hencky import along, logarithm_along, logarithm_change, principal_axes
+from core_models.hencky import along, logarithm_along, logarithm_change
+from core_models.principal_axes import principal
 from core_models.tensors import congruence, minus, plus, symmetric_part, transposed
 from core_models.updates.corotation import (
     back,
@@ -46,23 +47,23 @@ def _(objective_rate, before, after, increment):
 @beside_kernel
 def _followed(before, after, increment):
     """What `corotated` returns; out of the loop over points, which no processor could take together anyway."""
-    values, axes = principal_axes(before)
+    values, axes = principal(before)
     turn, whole = half_turned(_spin(values, axes, stretching(before, after)), increment)
-    final = principal_axes(after)
+    final = principal(after)
     reached = _turned_twice(turn, logarithm_along(final[0], final[1]))
     return minus(reached, logarithm_along(values, axes)), whole
 
 
 @corotated_change.register(Logarithmic)
 def _(objective_rate, before, after, over_sum, change, spin):
-    values, axes = principal_axes(before)
+    values, axes = principal(before)
     vector = _spin(values, axes, stretching(before, after))
     vector_change = _spin(values, axes, symmetric_part(gradient_change(before, over_sum, change)))
     turn = half_turned(vector, (1.0, 0.0, 0.0, 0.0))[0]
     half = half_spin(vector, vector_change)
     back_half = back(turn, half)
     whole = (back_half[0] + half[0], back_half[1] + half[1], back_half[2] + half[2])
-    final = principal_axes(after)
+    final = principal(after)
     moved = _turned_twice(turn, logarithm_change(final[0], final[1], change))
     reached = _turned_twice(turn, logarithm_along(final[0], final[1]))
     return plus(moved, turned_back(reached, whole)), whole_spin(turn, spin, half)

@@ -47,11 +47,11 @@ STUDIES = {"verification": PROBLEMS, "necking": NECKING}
 """Problems of each study."""
 
 
-def find_problem(name: str, study: str = "verification") -> Problem:
-    """The problem of that name in a study; SceneError with the nearest one otherwise."""
-    problems = STUDIES[study]
+def find_problem(name: str) -> Problem:
+    """The problem of that name, in whichever study; SceneError with the nearest one otherwise."""
+    problems = PROBLEMS | NECKING
     if name not in problems:
-        raise SceneError(f"no {study} problem is called {name!r}; {suggestion(name, problems)}")
+        raise SceneError(f"no verification problem is called {name!r}; {suggestion(name, problems)}")
     module, variable = problems[name]
     return getattr(import_module(f"studies.verification.problems.{module}"), variable)
 
@@ -67,7 +67,7 @@ def verify(
 
     tell : called with every problem as soon as it has run. Raises SceneError, OutputError before anything is run.
     """
-    problems = [find_problem(name, study) for name in names]
+    problems = [find_problem(name) for name in names]
     with OutputFolder(out) as folder:
         results = []
         for problem in problems:

@@ -59,8 +59,8 @@ def cured(dimension: int) -> list[Variant]:
     found = [Variant(f"FEM {kind}", FEM, kind) for kind in KINDS[dimension]]
     kind = KINDS[dimension][0]
     found.append(Variant(f"FEM {kind}, one point", FEM, kind, {"integration": "reduced"}))
-    options = {"interpolation": "quadratic", "cure": "mean-dilatation"}
-    return [*found, Variant("MPM quadratic, mean dilatation", MPM, SEEDED[dimension], options)]
+    options = EVEN | {"interpolation": "quadratic", "cure": "mean-dilatation"}
+    return [*found, Variant("MPM quadratic, mean dilatation", MPM, SEEDED[dimension], options, finer=2)]
 
 
 def uncured(dimension: int) -> list[Variant]:
@@ -68,6 +68,6 @@ def uncured(dimension: int) -> list[Variant]:
     found = [Variant(f"FEM {kind}, no cure", FEM, kind, {"cure": "none"}) for kind in KINDS[dimension]]
     return [
         *found,
-        Variant("MPM quadratic", MPM, SEEDED[dimension]),
+        Variant("MPM quadratic", MPM, SEEDED[dimension], EVEN, finer=2),
         Variant("MPM linear", MPM, SEEDED[dimension], {"interpolation": "linear"}),
     ]

@@ -120,4 +120,4 @@ def test_curves_of_other_codes_are_whole():
 
 def test_the_necking_study_has_its_problem():
     """`matpoint study necking` finds it by name."""
-    assert find_problem("necking-simo", "necking").name == "necking-simo"
+    assert find_problem("necking-simo").name == "necking-simo"

@@ -10,6 +10,7 @@ from core_models.material import Material
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.yield_condition.von_mises import VonMises
 from meshes.cook import cook
+from meshes.kinds import KINDS
 from meshes.mesh import Mesh
 from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
 from studies.verification.problem import Problem
@@ -21,9 +22,14 @@ FLOW = Voce(0.45e9, 0.715e9, 16.93, 0.12924e9)
 TRACTION = 0.3125e9  # Pa, upwards on the end of 16 mm: 5 kN per mm
 PUBLISHED = (6.97e-3, 7.09e-3)  # m, rise of the upper corner of the end
 TOLERANCE = 0.03
-RAMP, END = 1.2e-3, 1.8e-3  # s, growth of the force and end; the first elastic period is some 70 µs
-DAMPING = 3e4  # 1/s, about critical for the yielding membrane
-COUNTS = {False: (4, 8, 12), True: (4, 8)}
+RAMP, END = 1.2e-3, 2e-3  # s, growth of the force and end; the first elastic period is some 70 µs
+DAMPING = (
+    1.8e4  # 1/s: with half of it the yielding membrane overshoots by 4 %, with twice it is not at rest at END
+)
+COUNTS = {
+    False: (8, 12, 16),
+    True: (8, 12),
+}  # linear elements, or cells, on a side; half as many quadratic elements
 
 
 def body(size: float, kind: str) -> Mesh:
@@ -55,7 +61,7 @@ def rise(variant: Variant, count: int) -> float:
     solver = variant.solver(
         body,
         steel(),
-        44e-3 / count,
+        44e-3 / (count // KINDS[variant.kind].degree),
         geometry="plane-strain",
         loads=(Fixed("left"), Traction("right", traction), Damping(DAMPING)),
     )
@@ -75,16 +81,23 @@ def run(quick: bool) -> Outcome:
             off = _outside(done[variant.label][-1])
             outcome.criteria.append(
                 Criterion(
-                    f"rise, {variant.label}, {counts[-1]} cells",
+                    f"rise, {variant.label}, {counts[-1]} on a side",
                     100.0 * off, -100.0 * TOLERANCE, 100.0 * TOLERANCE, "% outside the published range",
                 )
             )  # fmt: skip
-    outcome.criteria += [
-        Criterion(f"rise, {each.variant.label}", None, high=0.0, reason=each.reason) for each in refused
-    ]
+    for each in refused:
+        if each.variant in right:
+            outcome.criteria.append(
+                Criterion(f"rise, {each.variant.label}", None, high=0.0, reason=each.reason)
+            )
+        else:
+            outcome.remarks.append(f"{each.variant.label} did not get to the end: {each.reason}.")
     rows = tuple((label, *(1e3 * value for value in values)) for label, values in done.items())
     head = ("variant", *(f"{count} × {count}" for count in counts))
-    note = f"Published, converged: {1e3 * PUBLISHED[0]:g} to {1e3 * PUBLISHED[1]:g} mm."
+    note = (
+        f"Published, converged: {1e3 * PUBLISHED[0]:g} to {1e3 * PUBLISHED[1]:g} mm. Columns: distances of nodes, "
+        "or cells of the grid, on a side; quadratic elements are twice as wide."
+    )
     outcome.tables.append(Table("Rise of the corner [mm]", head, rows, note))
     outcome.plots = [_plot(done, counts, family) for family in (FEM, MPM)]
     return outcome
@@ -104,7 +117,12 @@ def _plot(done: dict, counts: tuple[int, ...], family: str) -> Plot:
         for label, values in done.items()
         if label.lower().startswith(family)
     ]
-    return Plot(f"Cook's membrane, {family.upper()}", "cells on a side", "rise [mm]", tuple(curves))
+    return Plot(
+        f"Cook's membrane, {family.upper()}",
+        "distances of nodes, or cells, on a side",
+        "rise [mm]",
+        tuple(curves),
+    )
 
 
 PROBLEM = Problem(
