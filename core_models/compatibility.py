@@ -176,6 +176,16 @@ CLASHES = (
         "these voids act through the yield condition", "take the yield condition gurson",
     ),
     Clash(
+        "yield_condition", POROUS, "flow", (Anand,),
+        "the porous yield condition measures stresses by the flow stress, and Anand's matrix has none at rest",
+        "take a flow law with a yield stress",
+    ),
+    Clash(
+        "damage", (VoidNucleation,), "flow", (Anand,),
+        "the porous yield condition measures stresses by the flow stress, and Anand's matrix has none at rest",
+        "take a flow law with a yield stress",
+    ),
+    Clash(
         "yield_condition", PRESSURE_DEPENDENT, "flow", RATE_DEPENDENT,
         "the strength of a frictional material feels no strain rate here",
         "take perfect, isotropic_hardening, power_law, voce, thermal_voce or tabulated",
