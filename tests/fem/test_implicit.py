@@ -192,6 +192,18 @@ def test_load_that_cannot_be_carried_ends_with_the_last_converged_state():
     assert solver.points.old.stress[:, 1].max() == pytest.approx(1e9 * solver.time, rel=0.3)
 
 
+def test_restart_goes_on_bitwise():
+    """A solver built alike and given the checkpoint of another makes the same increments."""
+    first, second = (bar(3, 8, 0.982, 0.05, grading=0.3) for _ in range(2))
+    pulled(first, 0.1)
+    kept = first.checkpoint()
+    expected = pulled(first, 0.25)
+    second.restore(kept)
+    assert (pulled(second, 0.25) == expected).all() and (second.positions == first.positions).all()
+    with pytest.raises(SceneError, match="the checkpoint is of another solver"):
+        bar(2, 8, 0.982, 0.05).restore(kept)
+
+
 @pytest.mark.parametrize(
     ("mesh", "geometry", "loads", "told"),
     [
