@@ -10,6 +10,8 @@ from meshes.quality import edge_lengths
 from studies.bar_mesh import bar_mesh
 from studies.display import number
 from studies.effects import scene_effects
+from studies.effects_study.decision_text import decisions_text
+from studies.effects_study.decisions import decisions
 from studies.methods import METHODS, planned_runs
 from studies.scene import Scene
 from studies.text_table import aligned
@@ -34,6 +36,7 @@ def plan_text(
         f"end      {_end(scene, wall)}\n"
         f"material {_laws(scene.material)}",
         aligned(_effect_rows(scene, wall, methods or tuple(METHODS))),
+        "what the numbers ask for\n" + decisions_text(decisions(scene, wall)),
         aligned(_run_rows(scene, methods or tuple(METHODS), resolutions, wall)),
     ]
     if scene.bar.temperature >= melting_temperature(scene.material.melting):

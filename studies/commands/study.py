@@ -19,6 +19,8 @@ STUDIES = {
     "verification": "problems with known answers, by both methods",
     "necking": "a bar pulled until it necks, implicitly and explicitly",
     "experiments": "85 Taylor shots against flow laws and methods",
+    "stability": "hard cases: stable, rescued, refused or failed",
+    "effects": "what each effect of a scene costs and changes",
     "work-precision": "time of every variant to reach an error of 5 to 0.1 %",
 }
 """Name of a study: what it does. Its module in `studies.commands.studies` has its options and prints."""
@@ -40,8 +42,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     for name, summary in STUDIES.items():
         module = import_module(f"studies.commands.studies.{name.replace('-', '_')}")
-        own = studies.add_parser(name, help=summary, formatter_class=argparse.RawDescriptionHelpFormatter)
-        own.description, own.epilog = module.__doc__.split("\n\n", 1)
+        own = studies.add_parser(
+            name, help=summary.replace("%", "%%"), formatter_class=argparse.RawDescriptionHelpFormatter
+        )
+        own.description, own.epilog = module.__doc__.replace("%", "%%").split("\n\n", 1)
         module.add_options(own)
         own.set_defaults(execute_study=module.execute, known_options=own.option_names)
 

@@ -21,7 +21,7 @@ UNTIL_STANDING = {"taylor-copper-jc": 80e-6}  # s: a fixed end in place of one t
 def bar_problem(scene_name: str, wall: str | None = None) -> WorkProblem:
     """The problem of a shipped scene or a scene's file under a wall, by default the scene's own."""
     scene = read_scene(scene_name)
-    return scene_problem(_with_fixed_end(scene), wall or scene.wall)
+    return scene_problem(with_fixed_end(scene), wall or scene.wall)
 
 
 def scene_problem(scene: Scene, wall: str) -> WorkProblem:
@@ -57,7 +57,8 @@ def scene_problem(scene: Scene, wall: str) -> WorkProblem:
     )
 
 
-def _with_fixed_end(scene: Scene) -> Scene:
+def with_fixed_end(scene: Scene) -> Scene:
+    """The scene with an end at a time that does not depend on the rebound."""
     if scene.end.time is not None:
         return scene
     return replace(scene, end=End(time=UNTIL_STANDING.get(scene.name, scene.end.limit("plane"))))

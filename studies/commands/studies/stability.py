@@ -1,0 +1,49 @@
+"""Run hard cases by variants of both methods and say which stay stable, are rescued, refused, or fail.
+
+examples:
+  matpoint study stability --quick
+  matpoint study stability --cases taylor-600,erosion --methods fem-explicit,mpm,mpm:total
+
+Each cell runs in a process of its own with limits of time and memory. --quick makes a tenth of the steps.
+Exit status: 0 when no cell has failed (a refusal by a typed error is none); 1 when some has; 2 bad input.
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+from studies.default_folder import default_folder
+from studies.options import names
+
+SOME_FAILED = 1
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """Options of `matpoint study stability`."""
+    parser.add_argument("--quick", action="store_true", help="a tenth of the steps")
+    parser.add_argument("--cases", metavar="NAME[,NAME...]", type=names, help="these cases (default: all)")
+    parser.add_argument("--methods", metavar="A[,B...]", type=names, help="variants (default: ten)")
+    parser.add_argument(
+        "--out", metavar="DIR", help="new or empty folder (default: results/stability-DATE-TIME)"
+    )
+
+
+def execute(options: argparse.Namespace) -> int:
+    """Run the matrix, print it and where the report is."""
+    from studies.report.study_text import table_text
+    from studies.stability.study import survey_stability
+
+    out = Path(options.out or default_folder("stability"))
+    outcome = survey_stability(
+        out, quick=options.quick, cases=options.cases, variants=options.methods, tell=_tell
+    )
+    print(table_text(outcome.report.sections[0].tables[0]))
+    if outcome.remark:
+        print(f"matpoint: {outcome.remark}", file=sys.stderr)
+    print(f"\n{out / ('report.md' if outcome.remark else 'report.html')}")
+    return SOME_FAILED if outcome.failed else 0
+
+
+def _tell(cell: dict) -> None:
+    said = f": {cell['why'][:120]}" if cell["why"] else ""
+    print(f"{cell['case']}, {cell['variant']}: {cell['verdict']}{said}", file=sys.stderr, flush=True)

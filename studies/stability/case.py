@@ -1,0 +1,21 @@
+"""A hard case: how its solver is made, and how far it is run."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Case:
+    """A hard case.
+
+    build : makes the solver of a variant (studies.variants). end : time to run to [s]; steps : most steps, quickly a
+    tenth of them. factor : by which every stable step is multiplied.
+    """
+
+    name: str
+    title: str
+    build: Callable[[str], Any]
+    end: float = float("inf")
+    steps: int = 60_000
+    factor: float = 1.0

@@ -1,0 +1,111 @@
+"""One cell of the matrix: a case by a variant, run and judged.
+
+In a process of its own: python -m studies.stability.cell CASE VARIANT [--quick], which prints the result as JSON.
+"""
+
+import json
+import logging
+import math
+import sys
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+
+from core_models.errors import MatpointError
+from studies.stability.case import Case
+from studies.stability.cases import find_case
+
+STABLE, RESCUED, REFUSED, FAILED = "stable", "stable after redoing steps", "refused", "failed"
+QUICKLY = 10  # times fewer steps
+LARGEST_DRIFT = (
+    0.1  # of the energy: more, or any that is no number, is an instability that nothing has caught
+)
+WATCH = 50  # looks at the body in a run
+
+
+@dataclass
+class Cell:
+    """How a case went: verdict, why; steps, time [s]; largest energy error, smallest J and step [s], redone steps."""
+
+    case: str
+    variant: str
+    verdict: str = STABLE
+    why: str = ""
+    steps: int = 0
+    time: float = 0.0
+    drift: float = 0.0
+    smallest_ratio: float = 1.0
+    smallest_step: float = math.inf
+    redone: int = 0
+
+
+class _Redone(logging.Handler):
+    """Counts the steps that were redone, as the policy for them logs them."""
+
+    def __init__(self) -> None:
+        super().__init__(logging.INFO)
+        self.count = 0
+
+    def emit(self, record: logging.LogRecord) -> None:
+        self.count += 1
+
+
+def run_cell(case: Case, variant: str, quick: bool) -> Cell:
+    """Run a case by a variant; typed errors are refusals, whatever else happens is a failure."""
+    cell, redone = Cell(case.name, variant), _Redone()
+    logger = logging.getLogger("core_models.redo")
+    level = logger.level
+    logger.addHandler(redone)
+    logger.setLevel(logging.INFO)
+    try:
+        _advance(case, case.build(variant), cell, case.steps // QUICKLY if quick else case.steps)
+    except MatpointError as error:
+        cell.verdict, cell.why = REFUSED, str(error)
+    except Exception as error:
+        cell.verdict, cell.why = FAILED, f"{type(error).__name__}: {error}"
+    finally:
+        logger.removeHandler(redone)
+        logger.setLevel(level)
+    cell.redone = redone.count
+    if cell.verdict == STABLE and not cell.drift <= LARGEST_DRIFT:
+        cell.verdict, cell.why = FAILED, f"the energy is off by {100.0 * cell.drift:.3g} %"
+    elif cell.verdict == STABLE and cell.redone:
+        cell.verdict = RESCUED
+    return cell
+
+
+def _advance(case: Case, solver: Any, cell: Cell, steps: int) -> None:
+    while solver.time < case.end and cell.steps < steps:
+        if case.factor != 1.0:
+            solver.time_step *= case.factor
+        before = solver.time
+        solver.advance(case.end)
+        cell.steps, cell.time = solver.step_count, solver.time
+        if solver.time < case.end:
+            cell.smallest_step = min(cell.smallest_step, solver.time - before)
+        if cell.steps % max(steps // WATCH, 1) == 0 or cell.steps < WATCH:
+            _look(solver, cell)
+            if not cell.drift <= LARGEST_DRIFT:
+                return
+    _look(solver, cell)
+
+
+def _look(solver: Any, cell: Cell) -> None:
+    drift = abs(solver.ledger.relative_error)
+    finite = np.isfinite(solver.point_positions()).all() and math.isfinite(drift)
+    cell.drift = max(cell.drift, drift) if finite else math.inf
+    cell.smallest_ratio = min(cell.smallest_ratio, float(solver.points.volume_ratio.min()))
+
+
+def as_json(cell: Cell) -> dict[str, Any]:
+    """Plain data; no number that JSON does not have."""
+    return {
+        name: None if isinstance(value, float) and not math.isfinite(value) else value
+        for name, value in asdict(cell).items()
+    }
+
+
+if __name__ == "__main__":
+    made = run_cell(find_case(sys.argv[1]), sys.argv[2], "--quick" in sys.argv[3:])
+    print(json.dumps(as_json(made)))

@@ -1,0 +1,114 @@
+"""Effects that a scene calls for, decided from its numbers, and what switching them says."""
+
+import json
+from dataclasses import replace
+
+import pytest
+
+from core_models.errors import UnsupportedError
+from studies.command_line import main
+from studies.effects_study import study
+from studies.effects_study.decision_text import decisions_text
+from studies.effects_study.decisions import decisions, disagreements
+from studies.effects_study.study import AS_IT_IS, Switched, compare_effects, planned, verdict_table
+from studies.effects_study.switches import SWITCHES
+from studies.plan_text import plan_text
+from studies.scene_reader import read_scene
+from studies.work_precision.measurement import Measurement
+
+
+@pytest.fixture
+def copper():
+    """The founding example."""
+    return read_scene("taylor-copper-jc")
+
+
+def found(scene, effect):
+    """The decision about one effect."""
+    return next(each for each in decisions(scene, "unilateral") if each.effect == effect)
+
+
+def test_numbers_are_those_of_the_scene(copper):
+    """Fourier number, heating by what is left to melting, and impact pressure by K, worked out by hand."""
+    end, bar, material = copper.end.limit("unilateral"), copper.bar, copper.material
+    fourier = material.thermal_conductivity / (material.density * 383.0) * end / bar.radius**2
+    assert found(copper, "heat conduction").number == pytest.approx(fourier, rel=1e-6)
+    rise = 0.45 * bar.velocity**2 / 383.0
+    assert found(copper, "plastic heating").number == pytest.approx(rise / (1356.0 - 294.0), rel=0.05)
+    speed = ((136.35e9 + 4.0 / 3.0 * 45.45e9) / material.density) ** 0.5
+    pressure = material.density * speed * -bar.velocity
+    assert found(copper, "equation of state").number == pytest.approx(pressure / 136.35e9, rel=1e-6)
+
+
+def test_the_founding_example_has_what_its_numbers_ask_for(copper):
+    """Heating, equation of state, viscosity and damage on; conduction and gravity off."""
+    assert disagreements(copper, "unilateral") == []
+    wanted = {each.effect: each.wanted for each in decisions(copper, "unilateral")}
+    assert wanted["plastic heating"] and wanted["damage"] and not wanted["heat conduction"]
+    assert wanted["wall friction"] is None
+
+
+def test_slow_and_long_scenes_ask_for_other_effects(copper):
+    """A thousandth of the speed asks for no equation of state; ten seconds for conduction."""
+    slow = replace(copper, bar=replace(copper.bar, velocity=0.001 * copper.bar.velocity))
+    assert not found(slow, "equation of state").wanted and not found(slow, "plastic heating").wanted
+    long = replace(copper, end=replace(copper.end, latest=10.0, plane=10.0))
+    assert found(long, "heat conduction").wanted and found(long, "gravity").wanted
+    names = {each.effect for each in disagreements(long, "unilateral")}
+    assert {"heat conduction", "gravity"} <= names
+
+
+def test_check_says_every_decision_with_number_and_threshold(copper):
+    """The text of `matpoint check` has them all."""
+    text = plan_text(copper, ("mpm",), (4,), None)
+    assert decisions_text(decisions(copper, "unilateral")) in text and "≥ 0.02" in text
+
+
+def test_every_switch_turns_its_effect_round(copper):
+    """Switched once, the decision's `on` is the other; a scene without the effect is left alone."""
+    for switch in SWITCHES:
+        _, switched = switch.switched(copper)
+        assert found(switched, switch.effect).on != found(copper, switch.effect).on, switch.effect
+    classic = read_scene("taylor-classic")
+    none = [switch.effect for switch in SWITCHES if switch.switched(classic) is None]
+    assert none == ["damage", "plastic heating", "heat conduction", "equation of state"]
+    assert [effect for effect, *_ in planned(classic, "mpm", True)] == [
+        AS_IT_IS, "bulk viscosity", "wall friction", "three dimensions",
+    ]  # fmt: skip
+
+
+def switched(effect, length, seconds=1.0):
+    """A run whose bar has a length."""
+    values = {"final_length": length, "foot_radius": 1.0}
+    return Switched(effect, "off", "mpm", Measurement("mpm", 4, values, seconds))
+
+
+def test_a_wrong_decision_is_said_to_be_wrong(copper):
+    """Heating was asked for but changes nothing; conduction was not and changes much."""
+    runs = [switched(AS_IT_IS, 1.0), switched("plastic heating", 1.0001), switched("heat conduction", 0.9)]
+    rows = {row[0]: row[1:] for row in verdict_table(runs, decisions(copper, "unilateral")).rows}
+    assert rows["plastic heating"][2:] == ("no", "no")
+    assert rows["heat conduction"][0] == "no" and rows["heat conduction"][2:] == ("yes", "no")
+
+
+def test_the_study_leaves_tables_and_goes_on_after_a_refusal(copper, tmp_path, monkeypatch):
+    """Costs relative to the scene as it is; what is refused is listed."""
+
+    def measure(scene, variant, resolution, wall, repeats):
+        if scene.conduction:
+            return Measurement(variant, resolution, message=str(UnsupportedError("no conduction here")))
+        return Measurement(variant, resolution, {"final_length": 0.02, "foot_radius": 0.005}, 2.0)
+
+    monkeypatch.setattr(study, "_measure", measure)
+    outcome = compare_effects(copper, tmp_path / "out", methods=("mpm",), resolution=4)
+    assert len(outcome.runs) == 2 + len(SWITCHES)
+    assert "mpm: damage off,2.0,1.0" in (tmp_path / "out/changes.csv").read_text()
+    assert "no conduction here" in (tmp_path / "out/failures.csv").read_text()
+    assert json.loads((tmp_path / "out/results.json").read_text())["study"] == "effects"
+
+
+def test_unknown_methods_are_refused_before_anything_runs(tmp_path, capsys):
+    """Status 2 and the nearest name."""
+    arguments = ["study", "effects", "taylor-classic", "--methods", "mpn", "--out", str(tmp_path / "out")]
+    assert main(arguments) == 2
+    assert "mpm" in capsys.readouterr().err and not (tmp_path / "out").exists()

@@ -1,0 +1,152 @@
+"""The stability matrix: verdicts of made-up solvers and processes, and a fast part of it."""
+
+import json
+import math
+import sys
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from core_models.errors import RunFailure, SceneError
+from core_models.points import PointFailure
+from core_models.redo import redoing
+from core_models.status import NOT_CONVERGED
+from studies.command_line import main
+from studies.stability.case import Case
+from studies.stability.cases import all_cases, find_case
+from studies.stability.cell import FAILED, REFUSED, RESCUED, STABLE, run_cell
+from studies.stability.isolated import judged
+from studies.stability.study import VARIANTS, survey_stability
+
+
+class Pretended:
+    """A solver of ten steps of 1 s; `act` is what happens in the fifth."""
+
+    def __init__(self, act=lambda solver: None):
+        self.time, self.step_count, self.time_step, self.place, self._act = 0.0, 0, 1.0, 0.0, act
+        self.ledger = SimpleNamespace(relative_error=1e-3)
+        self.points = SimpleNamespace(volume_ratio=np.array([1.0, 0.7]))
+
+    def advance(self, limit):
+        """One step."""
+        self.step_count += 1
+        self.time += self.time_step
+        if self.step_count == 5:
+            self._act(self)
+
+    def point_positions(self):
+        """One point."""
+        return np.array([[self.place]])
+
+
+def redo(solver):
+    """A step that works the second time."""
+    tried = []
+
+    def attempt(dt):
+        tried.append(dt)
+        if len(tried) == 1:
+            raise PointFailure(NOT_CONVERGED, 0)
+
+    redoing(attempt, 1.0, 0.0, lambda: "", lambda reason: RunFailure(str(reason)))
+
+
+def refuse(solver):
+    """A typed error."""
+    raise RunFailure("step 5: not finite")
+
+
+def stumble(solver):
+    """An error of the program."""
+    raise ZeroDivisionError("division by zero")
+
+
+def get_lost(solver):
+    """A number that is none."""
+    solver.place = math.nan
+
+
+def explode(solver):
+    """Energy from nowhere."""
+    solver.ledger.relative_error = 7.0
+
+
+@pytest.mark.parametrize(
+    ("act", "verdict", "why"),
+    [
+        (lambda solver: None, STABLE, ""),
+        (redo, RESCUED, ""),
+        (refuse, REFUSED, "step 5"),
+        (stumble, FAILED, "ZeroDivisionError"),
+        (get_lost, FAILED, "energy"),
+        (explode, FAILED, "700 %"),
+    ],
+)
+def test_a_cell_is_judged_by_what_happened(act, verdict, why):
+    """Typed errors are refusals; whatever else goes wrong is a failure; redone steps are counted."""
+    cell = run_cell(Case("made", "", lambda variant: Pretended(act), 10.0), "mpm", False)
+    assert cell.verdict == verdict and why in cell.why
+    assert cell.redone == (act is redo)
+    if verdict == STABLE:
+        assert (cell.steps, cell.drift, cell.smallest_ratio, cell.smallest_step) == (10, 1e-3, 0.7, 1.0)
+
+
+@pytest.mark.parametrize(
+    ("code", "why"),
+    [
+        ("import time; time.sleep(60)", "not at its end after 0.5 s"),
+        ("import os; os.abort()", "crashed with signal 6"),
+        ("raise ValueError('no')", "ended with status 1: ValueError: no"),
+        ("import numpy; numpy.ones(2**33)", "MemoryError"),
+    ],
+)
+def test_what_hangs_or_crashes_has_failed(code, why):
+    """A process that takes too long, dies, says nothing of use, or wants too much memory costs its own cell."""
+    cell = judged("made", "mpm", [sys.executable, "-c", code], 0.5 if "sleep" in code else 20.0)
+    assert cell["verdict"] == FAILED and why in cell["why"]
+    json.dumps(cell, allow_nan=False)
+
+
+def test_the_matrix_is_large_enough():
+    """Eighteen cases or more by eight variants or more; names are unique and say what they are."""
+    assert len(all_cases()) >= 18 and len(VARIANTS) >= 8
+    assert all(case.title for case in all_cases().values())
+    with pytest.raises(SceneError, match="did you mean 'spall'"):
+        find_case("spal")
+
+
+FAST = (
+    ("soft", "fem-explicit", STABLE),
+    ("soft", "mpm", STABLE),
+    ("bouncing", "mpm", STABLE),
+    ("step-1.05", "fem-explicit", REFUSED),
+    ("step-1.05", "mpm", REFUSED),
+)
+
+
+@pytest.mark.parametrize(("case", "variant", "verdict"), FAST)
+def test_a_fast_part_of_the_matrix(case, variant, verdict):
+    """Cells that need no kernels of their own."""
+    cell = run_cell(find_case(case), variant, True)
+    assert cell.verdict == verdict, cell.why
+
+
+def test_the_study_leaves_the_matrix_with_reasons(tmp_path, capsys):
+    """Cells in the order of cases and variants; refusals keep their message; unknown names are one line."""
+
+    def made(case, variant, quick):
+        verdict = REFUSED if variant == "mpm" else STABLE
+        return {
+            "case": case, "variant": variant, "verdict": verdict, "why": "too soft" if variant == "mpm" else "",
+            "steps": 1, "time": 1.0, "drift": None, "smallest_ratio": 1.0, "smallest_step": None, "redone": 0,
+        }  # fmt: skip
+
+    outcome = survey_stability(
+        tmp_path / "out", quick=True, cases=("soft", "spall"), variants=("fem-explicit", "mpm"), run=made
+    )
+    assert len(outcome.cells) == 4 and outcome.failed == 0
+    assert "soft,stable,refused" in (tmp_path / "out/matrix.csv").read_text()
+    assert "too soft" in (tmp_path / "out/reasons.csv").read_text()
+    assert main(["study", "stability", "--cases", "spal", "--out", str(tmp_path / "b")]) == 2
+    assert "spall" in capsys.readouterr().err
