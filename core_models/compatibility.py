@@ -3,6 +3,10 @@
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
+from core_models.damage.gurson import VoidNucleation
+from core_models.damage.hancock_mackenzie import HancockMackenzieDamage
+from core_models.damage.johnson_cook import JohnsonCookDamage
+from core_models.damage.sandia import SandiaDamage
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
@@ -20,7 +24,9 @@ from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.yield_condition.drucker_prager import DruckerPrager
+from core_models.yield_condition.gurson import Gurson
 from core_models.yield_condition.mohr_coulomb import MohrCoulomb
+from core_models.yield_condition.von_mises import VonMises
 
 PRESENT = (tuple,)  # any law
 ABSENT = (type(None),)
@@ -29,6 +35,7 @@ SLOTS_OF_A_SPLIT = (
     "eos", "flow", "yield_condition", "shear_modulus", "kinematic_hardening", "damage", "melting", "heating",
     "stability", "erosion", "objective_rate", "expansion",
 )  # fmt: skip
+POROUS = (Gurson,)
 PRESSURE_DEPENDENT = (DruckerPrager, MohrCoulomb)
 RATE_DEPENDENT = (
     Anand, JohnsonCook, MechanicalThreshold, PrestonTonksWallace, SteinbergCochranGuinan, ZerilliArmstrong,
@@ -131,7 +138,12 @@ CLASHES = (
         "leave the thermal expansion out",
     ),
     Clash(
-        "stability", PRESENT, "yield_condition", PRESSURE_DEPENDENT,
+        "stability", PRESENT, "yield_condition", (*PRESSURE_DEPENDENT, *POROUS),
+        "the stability checks know the tangent of continued flow of von Mises' surface alone",
+        "take vonMises or leave stability out",
+    ),
+    Clash(
+        "stability", PRESENT, "damage", (VoidNucleation,),
         "the stability checks know the tangent of continued flow of von Mises' surface alone",
         "take vonMises or leave stability out",
     ),
@@ -141,12 +153,24 @@ CLASHES = (
         "leave one of them out",
     ),
     Clash(
-        "kinematic_hardening", PRESENT, "yield_condition", (*PRESSURE_DEPENDENT, *ABSENT),
+        "kinematic_hardening", PRESENT, "damage", (VoidNucleation,),
+        "back stresses move the surface of von Mises", "take vonMises or leave kinematic_hardening out",
+    ),
+    Clash(
+        "kinematic_hardening", PRESENT, "yield_condition", (*PRESSURE_DEPENDENT, *POROUS, *ABSENT),
         "back stresses move the surface of von Mises", "take vonMises or leave kinematic_hardening out",
     ),
     Clash(
         "kinematic_hardening", PRESENT, "objective_rate", PRESENT,
         "back stresses turn with the rate of Green and Naghdi", "leave objective_rate or kinematic_hardening out",
+    ),
+    Clash(
+        "yield_condition", POROUS, "damage", (JohnsonCookDamage, HancockMackenzieDamage, SandiaDamage, *ABSENT),
+        "the porosity of the yield condition comes from its own damage law", "take the damage law gurson_voids",
+    ),
+    Clash(
+        "damage", (VoidNucleation,), "yield_condition", (VonMises, *PRESSURE_DEPENDENT, *ABSENT),
+        "these voids act through the yield condition", "take the yield condition gurson",
     ),
     Clash(
         "yield_condition", PRESSURE_DEPENDENT, "flow", RATE_DEPENDENT,

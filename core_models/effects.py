@@ -43,9 +43,7 @@ def material_effects(m) -> list[Effect]:
         _effect("strength under pressure", pressed, "the flow law does not depend on density and pressure"),
         _effect("melting", m.melting, "the card gives neither melt_temp nor melting_temp_model"),
         _effect("damage", m.damage, "the card has no damage model"),
-        _effect(
-            "erosion", m.erosion, "the card asks for none: damage is computed and reported, it does not act"
-        ),
+        _effect("erosion", m.erosion, f"the card asks for none: {_acting(m)}"),
         _effect("loss of stability", m.stability, "the card asks for no stability_check"),
     ]
 
@@ -53,6 +51,12 @@ def material_effects(m) -> list[Effect]:
 def _effect(name: str, law: tuple | None, absent: str) -> Effect:
     reason = absent if law is None else f"the card asks for it ({type(law).__name__})"
     return Effect(name, law is not None, reason)
+
+
+def _acting(m) -> str:
+    if hasattr(m.damage, "porosity_at_start"):
+        return "voids act through the yield condition"
+    return "damage is computed and reported, it does not act"
 
 
 def _heating_reason(m) -> str:

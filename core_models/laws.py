@@ -371,3 +371,23 @@ def _(kinematic_hardening):
 @generic
 def back_stress_constants(kinematic_hardening, term):
     """Modulus C [Pa] and recovery gamma [-] of a back stress: d alpha = 2/3 C d e_p - gamma alpha d ep."""
+
+
+@generic
+def nucleated(damage, plastic_strain, increment):
+    """Volume fraction of voids [-] that an increment of plastic strain of the matrix brings, and its slope."""
+
+
+@nucleated.otherwise
+def _(damage, plastic_strain, increment):
+    return 0.0, 0.0
+
+
+@generic
+def damage_of_porosity(yield_condition, porosity, damage):
+    """Damage variable of a point with voids, at least `damage`; that itself where the yield condition knows none."""
+
+
+@damage_of_porosity.otherwise
+def _(yield_condition, porosity, damage):
+    return damage

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from core_models.compatibility import clashes
+from core_models.damage.gurson import VoidNucleation
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.flow.johnson_cook import JohnsonCook
 from core_models.laws import (
@@ -78,6 +79,11 @@ def _constants(m: Any) -> Iterator[Remark]:
         yield Remark(
             "damage",
             f"damage_radius must be positive, not {m.damage_radius!r} m: leave it out for local damage",
+        )
+    if m.damage_radius is not None and isinstance(m.damage, VoidNucleation):
+        yield Remark(
+            "damage",
+            "damage_radius averages damage that a law adds, not the porosity of gurson_voids: leave it out",
         )
     if m.damage_radius is not None and m.damage is None:
         yield Remark(

@@ -6,9 +6,10 @@ import numpy as np
 
 from core_models.walls import PLANE, Wall
 from mpm.background import Background
+from mpm.gaps import measure_gaps
 from mpm.grid import EDGE
 from mpm.particles import Faces
-from mpm.wall import measure_gaps, meet_wall
+from mpm.wall import meet_wall
 
 
 class Push(NamedTuple):

@@ -5,11 +5,12 @@ flows into it, and the rise of its temperature.
 """
 
 from core_models.compilation import kernel
-from mpm.exchange import give_momentum, give_slopes, take
 from mpm.geometries import put_vector, stand, vector
+from mpm.giving import give_momentum, give_slopes
 from mpm.grid import VELOCITY, block_corner, block_nodes
 from mpm.lanes import lane, lanes
 from mpm.mirrors import layer
+from mpm.taking import take
 from mpm.tile import add_velocities, clear_tile, fetch_tile, place_in_tile
 
 TEMPERATURE, CAPACITY, FLOW, RISE = 0, 1, 2, 3

@@ -1,9 +1,9 @@
 """Motion of the grid: velocities from momenta, then forces, then damping."""
 
 from core_models.compilation import CHUNK, kernel
-from mpm.exchange import times_moment
 from mpm.geometries import column, put_columns, stand
 from mpm.grid import FORCE, MASS, RECORD, VELOCITY, block_nodes
+from mpm.taking import times_moment
 
 BEFORE, AFTER = 0, 1
 

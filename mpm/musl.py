@@ -12,8 +12,8 @@ from core_models.compilation import kernel
 from core_models.errors import SceneError
 from core_models.names import suggestion
 from mpm.background import Background
-from mpm.exchange import give_momentum
 from mpm.geometries import stand, vector
+from mpm.giving import give_momentum
 from mpm.grid import MASS, RECORD, VELOCITY, block_corner, block_nodes, clear
 from mpm.tile import add_velocities, clear_tile, place_in_tile
 from mpm.to_grid import momentum_slope

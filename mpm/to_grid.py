@@ -15,8 +15,8 @@ from core_models.compilation import kernel
 from core_models.dispatch import generic
 from core_models.state import read
 from mpm.configurations import pulls
-from mpm.exchange import give
 from mpm.geometries import column, hoop_force, stand, vector
+from mpm.giving import give
 from mpm.grid import RECORD, block_corner
 from mpm.lanes import lanes
 from mpm.tile import add_tile, clear_tile, place_in_tile

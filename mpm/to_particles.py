@@ -17,10 +17,10 @@ import numpy as np
 from core_models.compilation import kernel
 from core_models.dispatch import generic
 from mpm.configurations import deform_particle
-from mpm.exchange import interpolate_second, take, total
 from mpm.geometries import put_columns, put_vector, stand, vector
 from mpm.grid import VELOCITY, block_corner
 from mpm.lanes import fused, lanes
+from mpm.taking import interpolate_second, take, total
 from mpm.tile import fetch_second, fetch_tile, place_in_tile
 
 ENERGY, SPEED = 0, 1

@@ -15,8 +15,8 @@ import numpy as np
 
 from core_models.compilation import kernel
 from mpm.background import Background
-from mpm.exchange import smooth
 from mpm.geometries import stand
+from mpm.giving import smooth
 from mpm.grid import MASS, RECORD, VELOCITY, block_corner, block_nodes, clear
 from mpm.tile import add_velocities, clear_tile, fetch_tile, place_in_tile
 

@@ -97,7 +97,8 @@ def total_mpm_run(scene: NeckingScene, mesh: NeckingMesh, periods: float, **opti
     import mpm
 
     def make(body: Mesh, material, loads: tuple[Load, ...]):
-        size = scene.radius / mesh.across
+        # The grid's nodes lie half a cell off the symmetry plane: a row of them has to lie on the end that is pulled.
+        size = scene.length / (mesh.along + 0.5)
         return mpm.Solver(body, material, cell_size=size, loads=loads, configuration="total", **options)
 
     return _explicit_run(scene, mesh, periods, "mpm-tl", make)

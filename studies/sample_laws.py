@@ -1,6 +1,7 @@
 """One law of every class that cards can name, by slot: copper, as far as there is one."""
 
 from core_models.cards import read_material, shipped_materials
+from core_models.damage.gurson import VoidNucleation
 from core_models.damage.hancock_mackenzie import HancockMackenzieDamage
 from core_models.damage.johnson_cook import JohnsonCookDamage
 from core_models.damage.sandia import SandiaDamage
@@ -49,6 +50,7 @@ from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.yield_condition.drucker_prager import DruckerPrager
+from core_models.yield_condition.gurson import Gurson
 from core_models.yield_condition.mohr_coulomb import MohrCoulomb
 from core_models.yield_condition.von_mises import VonMises
 
@@ -81,7 +83,12 @@ SAMPLES = {
         _shipped("copper_ofhc_preston_tonks_wallace"),
         Anand(56.33e6, 10830.0, 1.49e7, 11.0, 0.303, 2640.75e6, 80.415e6, 0.0231, 1.34),
     ],
-    "yield_condition": [VonMises(), DruckerPrager(0.2, 0.1), MohrCoulomb(30.0, 10.0)],
+    "yield_condition": [
+        VonMises(),
+        DruckerPrager(0.2, 0.1),
+        MohrCoulomb(30.0, 10.0),
+        Gurson(1.5, 1.0, 2.25, 4.0, 0.05),
+    ],
     "kinematic_hardening": [
         Prager(1e9),
         Ziegler(1e9),
@@ -99,6 +106,7 @@ SAMPLES = {
         JohnsonCookDamage(0.54, 4.89, -3.03, 0.014, 1.12, 294.0, 1356.0),
         HancockMackenzieDamage(1e-4, 0.7),
         SandiaDamage(6.0, 1e-4, 0.1),
+        VoidNucleation(1e-3, 0.04, 0.3, 0.1),
     ],
     "melting": [
         ConstantMelting(1356.0),

@@ -1,5 +1,6 @@
 """The card schema of damage and erosion."""
 
+from core_models.damage.gurson import VoidNucleation
 from core_models.damage.hancock_mackenzie import HancockMackenzieDamage
 from core_models.damage.johnson_cook import JohnsonCookDamage
 from core_models.damage.sandia import SandiaDamage
@@ -83,12 +84,33 @@ SANDIA = ModelSchema(
     ascending=(("initial_porosity", "critical_porosity"),),
 )
 
+GURSON_VOIDS = ModelSchema(
+    types=("gurson_voids",),
+    law=VoidNucleation,
+    help="voids of the yield condition gurson: at the start, and nucleated by plastic strain",
+    parameters=(
+        Parameter(
+            "initial_porosity",
+            "-",
+            Interval(0.0, 1.0, high_open=True),
+            "voids before any strain",
+            aliases=("initial_mean_porosity",),
+        ),
+        Parameter("frac_nucleation", "-", NOT_NEGATIVE, "voids that nucleate", feeds="f_n", default=0.0),
+        Parameter("meanstrain_nucleation", "-", ANY, "mean strain of nucleation", feeds="eps_n", default=0.3),
+        Parameter(
+            "stddevstrain_nucleation", "-", POSITIVE, "its standard deviation", feeds="s_n", default=0.1
+        ),
+    ),
+    inert=(Inert("initial_std_porosity", ZERO, "scattered initial porosity"),),
+)
+
 DAMAGE = SlotSchema(
     slot="damage",
     tags=("damage_model",),
     places=("constitutive_model", "material"),
     absent="none",
-    models=(JOHNSON_COOK_DAMAGE, HANCOCK_MACKENZIE, SANDIA),
+    models=(JOHNSON_COOK_DAMAGE, HANCOCK_MACKENZIE, SANDIA, GURSON_VOIDS),
     plain=("none",),
     unavailable=("Threshold", "ThresholdVar", "Brittle"),
 )

@@ -17,10 +17,12 @@ from core_models.schema.entries import (
     SlotSchema,
 )
 from core_models.yield_condition.drucker_prager import DruckerPrager
+from core_models.yield_condition.gurson import Gurson
 from core_models.yield_condition.mohr_coulomb import MohrCoulomb
 from core_models.yield_condition.von_mises import VonMises
 
 ANGLE = Interval(0.0, 90.0, high_open=True)
+FRACTION = Interval(0.0, 1.0, low_open=True, high_open=True)
 WHOLE = Inert("beta", Interval(1.0, 1.0), "hardening that is partly isotropic")
 
 DRUCKER_PRAGER = ModelSchema(
@@ -46,6 +48,19 @@ MOHR_COULOMB = ModelSchema(
     ),
 )
 
+GURSON = ModelSchema(
+    types=("gurson", "gtn"),
+    law=Gurson,
+    help="porous metal: (q / flow stress)^2 + 2 q1 f* cosh(3 q2 m / (2 flow stress)) <= 1 + q3 f*^2",
+    parameters=(
+        Parameter("q1", "-", POSITIVE, "constant of the hyperbolic cosine"),
+        Parameter("q2", "-", POSITIVE, "constant of the mean stress"),
+        Parameter("q3", "-", POSITIVE, "constant of the square of the porosity"),
+        Parameter("k", "-", Interval(low=1.0), "acceleration of the coalescence"),
+        Parameter("f_c", "-", FRACTION, "porosity where coalescence begins"),
+    ),
+)
+
 YIELD_CONDITION = SlotSchema(
     slot="yield_condition",
     tags=("yield_condition",),
@@ -55,9 +70,10 @@ YIELD_CONDITION = SlotSchema(
         ModelSchema(("vonMises",), VonMises, "q = sqrt(3/2 s:s) <= flow stress"),
         DRUCKER_PRAGER,
         MOHR_COULOMB,
+        GURSON,
     ),
     plain=("none",),
-    unavailable=("gurson", "rousselier"),
+    unavailable=("rousselier",),
 )
 
 MODULUS = Parameter(

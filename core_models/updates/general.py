@@ -16,7 +16,10 @@ from core_models.dispatch import generic
 from core_models.elementary import exponential, logarithm
 from core_models.laws import (
     advance_rows,
+    damage_of_porosity,
+    elastic_moduli,
     eroded_stress,
+    is_out,
     predict_carefully,
     pressure,
     stress_measure,
@@ -48,7 +51,7 @@ from core_models.tensors import (
     scaled,
 )
 from core_models.updates.back_stress import turn_back_stresses
-from core_models.updates.balance import FOUR_THIRDS, Balance, damaged, heated, put_balance
+from core_models.updates.balance import FOUR_THIRDS, Balance, damaged, heated, left_behind, put_balance
 from core_models.updates.conditions import flow_before, shear_before
 from core_models.updates.general_problem import (
     ELASTIC,
@@ -138,7 +141,14 @@ def _(update, prediction):
 def _(update, rows, statuses, count, model, viscosity, dt):
     for k in range(count):
         statuses[k], step = solved_step(update, rows, k, model, 1.0 / dt)
-        complete_step(update, rows, k, model, viscosity, dt, step)
+        if is_out(model.erosion, step.before.damage):
+            statuses[k] = OK
+            point, balance = left_behind(step.before)
+            put_vector(rows, ROTATION_1, k, step.before.rotation)
+            put_point(rows, k, point)
+            put_balance(rows, k, balance)
+        else:
+            complete_step(update, rows, k, model, viscosity, dt, step)
 
 
 @inside_kernel
@@ -208,7 +218,10 @@ def complete_step(update, rows, k, model, viscosity, dt, step):
         dissipation += returned.mean_stress * (problem.volume - returned.volume) - returned.stored
     dissipation *= measure
     shear = shear_before(model, before, j0)
-    speed = wave_speed(model, j1, returned, to_cauchy, shear, before.internal_energy)
+    stiff = max(
+        shear, elastic_moduli(model.elasticity)[1]
+    )  # the stable steps of the solvers know the card's modulus
+    speed = wave_speed(model, j1, returned, to_cauchy, stiff, before.internal_energy)
     q = viscous_pressure(
         viscosity, model.density / j1, get(rows, LENGTH, k), speed, 2.0 * (j1 - j0) / (dt * (j0 + j1))
     )
@@ -226,7 +239,10 @@ def complete_step(update, rows, k, model, viscosity, dt, step):
         before.equivalent_plastic_strain + returned.increment,
         returned.hardening_variable,
         heated(model, before.temperature, dissipation, j0, j1),
-        damaged(model, before, returned.increment, dt, mean_stress, equivalent_stress(stress)),
+        damage_of_porosity(
+            model.yield_condition, returned.porosity,
+            damaged(model, before, returned.increment, dt, mean_stress, equivalent_stress(stress)),
+        ),
         before.internal_energy + work + viscous_work,
     )  # fmt: skip
     put_point(rows, k, after)

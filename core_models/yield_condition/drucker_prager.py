@@ -138,7 +138,7 @@ def _largest(yield_condition, k):
     return min(yield_condition.tension_cutoff, k / slope if slope > 0.0 else math.inf)
 
 
-@inside_kernel
+@beside_kernel
 def _cone(yield_condition, model, flow, problem, size):
     """Root of sqrt(J_2) - G dgamma + 3 alpha m(ln J_e - 3 beta dgamma) - k(dgamma), which falls with dgamma."""
     a, b = 3.0 * yield_condition.alpha, 3.0 * yield_condition.beta
@@ -165,7 +165,7 @@ def _cone(yield_condition, model, flow, problem, size):
     return False, gamma, problem.volume, 0.0, 0.0
 
 
-@inside_kernel
+@beside_kernel
 def _corner(yield_condition, flow, problem, size):
     """Flow where the mean stress is the largest: root of sqrt(J_2) - G dgamma - [k - 3 alpha m]."""
     low, high = 0.0, size / problem.shear

@@ -72,7 +72,7 @@ class MohrCoulomb(NamedTuple):
         return ""
 
 
-class Flowing(NamedTuple):
+class PlaneFlow(NamedTuple):
     """State of the iteration for some active planes: principal stresses, ln J_e, mean stress and slope [Pa], increment
     of plastic strain and its slopes by the three multipliers, cohesion and its slope [Pa].
     """
@@ -129,7 +129,7 @@ def dot(a, b):
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-@inside_kernel
+@beside_kernel
 def largest_excess(law, stress, cohesion):
     """How far ordered principal stresses lie beyond the surface [Pa]."""
     return max(excess(law, 0, stress, cohesion), excess(law, 3, stress, cohesion))
@@ -185,7 +185,7 @@ def _is_admissible(law, gammas, now, limit):
     return is_ordered and is_forward and largest_excess(law, s, now.cohesion) <= limit
 
 
-@inside_kernel
+@beside_kernel
 def _apex(law, model, flow, problem, values, limit):
     """Return to the point where all principal stresses are equal."""
     increment = math.sqrt(dot(values, values) / 6.0) / problem.shear
@@ -221,7 +221,7 @@ def plastic_strain(law, planes, gammas):
     return (e[0], e[1], e[2], growth)
 
 
-@inside_kernel
+@beside_kernel
 def _flowing(law, model, flow, problem, values, planes, gammas):
     """What some multipliers of the active planes lead to."""
     strain = plastic_strain(law, planes, gammas)
@@ -239,7 +239,7 @@ def _flowing(law, model, flow, problem, values, planes, gammas):
         values[0] - g * strain[0] + stress, values[1] - g * strain[1] + stress, values[2] - g * strain[2] + stress
     )  # fmt: skip
     now = strength(flow, problem, increment)
-    return Flowing(total, volume, stress, bulk, increment, slopes, now.stress, now.slope, now.variable)
+    return PlaneFlow(total, volume, stress, bulk, increment, slopes, now.stress, now.slope, now.variable)
 
 
 @inside_kernel
@@ -273,7 +273,7 @@ def _entry(law, problem, planes, now, row, column):
     return elastic + cohesion_factor(law, planes[row]) * now.hardening * now.slopes[column]
 
 
-@inside_kernel
+@beside_kernel
 def _matrix(law, problem, planes, now):
     a, b, c = (_matrix_row(law, problem, planes, now, 0), _matrix_row(law, problem, planes, now, 1),
                _matrix_row(law, problem, planes, now, 2))  # fmt: skip
@@ -290,9 +290,9 @@ def _solved(matrix, det, right):
     )
 
 
-@inside_kernel
+@beside_kernel
 def _flow_on(law, model, flow, problem, values, planes, limit):
-    """Multipliers of the active planes by Newton's method: converged or not, multipliers, `Flowing`."""
+    """Multipliers of the active planes by Newton's method: converged or not, multipliers, `PlaneFlow`."""
     gammas = (0.0, 0.0, 0.0)
     now = _flowing(law, model, flow, problem, values, planes, gammas)
     for _iteration in range(MAXIMUM_ITERATIONS):
@@ -324,7 +324,7 @@ def _(yield_condition, model, flow, problem, returned, rows, k, trial, shear, me
     return _change(yield_condition, model, flow, problem, returned, values, axes, change, shear, mean)
 
 
-@inside_kernel
+@beside_kernel
 def _apex_change(law, flow, problem, returned, values, change, shear):
     """Change of the mean stress at the apex, by the hardening of the cohesion."""
     tangent = math.tan(law.friction_angle * DEGREE)
@@ -356,7 +356,7 @@ def _change(law, model, flow, problem, returned, values, axes, change, shear, me
     return congruence(axes, s), mean_change
 
 
-@inside_kernel
+@beside_kernel
 def _principal_change(law, problem, planes, now, matrix, strain, change, shear, mean):
     """Change of principal and mean stresses for that of the trial, the shear modulus and the mean stress."""
     g = 2.0 * shear

@@ -5,7 +5,7 @@ import numpy as np
 from core_models.errors import SceneError
 from core_models.names import suggestion
 from meshes.mesh import Mesh
-from mpm import corners as corners  # registers what convected domains exchange with the grid
+from mpm import convected as convected  # registers what convected domains exchange with the grid
 from mpm.interpolation.cpdi import ConvectedDomain, check_seeding, half_edges
 from mpm.interpolation.cubic import CubicSpline
 from mpm.interpolation.gimp import UniformGimp

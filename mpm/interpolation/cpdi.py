@@ -18,10 +18,10 @@ from core_models.dispatch import generic
 from core_models.errors import RunFailure, SceneError
 from core_models.geometry import AXES, Axisymmetric, Geometry, PlaneStrain, Spatial
 from core_models.threads import Threads
-from mpm.exchange import total
 from mpm.geometries import dimension_of
 from mpm.interpolation import layers, locate_particle, reach
 from mpm.lanes import lane, lanes
+from mpm.taking import total
 
 WIDEST = 3.0  # cells along an axis that a domain may cover: its corners then reach no more than five nodes
 

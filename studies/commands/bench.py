@@ -1,4 +1,6 @@
-"""Measure the speed of this machine: point updates and whole steps, warm, the median of some repeats.
+"""Measure the speed of this machine: point updates of every flow law and whole steps, warm, the median of some repeats.
+
+The first time it compiles for some minutes.
 
 example:
   matpoint bench

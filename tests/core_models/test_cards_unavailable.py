@@ -34,7 +34,6 @@ def test_known_but_unavailable_model_says_so(refused, block, types):
 @pytest.mark.parametrize(
     "block",
     [
-        '<yield_condition type="gurson"/>',
         '<stability_check type="drucker_becker"/>',
         '<melting_temp_model type="linear_Tm"/>',
         '<specific_heat_model type="cubic_Cp"/>',

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from core_models.compatibility import CLASHES, clash_of
+from core_models.damage.gurson import VoidNucleation
 from core_models.driver import drive
 from core_models.errors import MaterialError
 from core_models.heating.isentropic import IsentropicHeating
@@ -14,6 +15,7 @@ from core_models.material import SLOTS as MATERIAL_SLOTS
 from core_models.material import Material, laws_for
 from core_models.paths import simple_shear
 from core_models.schema import SLOTS, UPDATE
+from core_models.yield_condition.gurson import Gurson
 from studies.compatibility_text import compatibility_text
 from studies.sample_laws import DENSITY, SAMPLES
 
@@ -40,6 +42,10 @@ def material(update, laws):
             )
         }
         fields |= {"damage": sample("damage", "JohnsonCookDamage")} if "erosion" in laws else {}
+        kinds = set(map(type, laws.values()))
+        if Gurson in kinds or VoidNucleation in kinds:
+            fields |= {"yield_condition": sample("yield_condition", "Gurson")}
+            fields |= {"damage": sample("damage", "VoidNucleation")}
         fields |= {"melting": sample("melting", "ConstantMelting")} if "shear_modulus" in laws else {}
     return Material("pair", DENSITY, **(fields | laws))
 

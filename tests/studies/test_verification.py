@@ -147,7 +147,7 @@ def test_study_writes_report_and_results(tmp_path, monkeypatch):
     """results.json holds criteria with verdicts, infinite bounds as null; every problem is told as it ends."""
     pytest.importorskip("matplotlib")
     problem = made(Criterion("good", 1.0, low=0.0), Criterion("nothing", math.nan, high=np.float64(1.0)))
-    monkeypatch.setattr(study, "find_problem", lambda name: problem)
+    monkeypatch.setattr(study, "find_problem", lambda name, study="verification": problem)
     told = []
     verify(["made"], True, tmp_path / "out", tell=lambda problem, outcome: told.append(problem.name))
     content = json.loads((tmp_path / "out" / "results.json").read_text())
@@ -176,7 +176,7 @@ def test_unknown_problem_has_the_nearest_one_named():
 def test_command_tells_by_its_status_whether_all_is_met(met, status, tmp_path, monkeypatch, capsys):
     """0 when every criterion is met, 1 when some is not; the unmet ones are printed."""
     problem = made(Criterion("thing", 1.0 if met else 3.0, 0.0, 2.0))
-    monkeypatch.setattr(study, "find_problem", lambda name: problem)
+    monkeypatch.setattr(study, "find_problem", lambda name, study="verification": problem)
     assert main(["study", "verification", "--only", "made", "--out", str(tmp_path / "out")]) == status
     out = capsys.readouterr().out
     assert f"{int(met)} of 1 criteria met" in out and ("not met: thing" in out) is not met

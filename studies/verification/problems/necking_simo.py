@@ -37,7 +37,7 @@ FINE = NeckingMesh(10, 40, 0.05)
 MESHES = (NeckingMesh(5, 20, 0.2), NeckingMesh(8, 24, 0.17), FINE)
 EXPLICIT, PARTICLES = NeckingMesh(8, 24, 0.17), NeckingMesh(8, 33)
 INCREMENTS = 250
-PERIODS = 180.0
+PERIODS = 300.0
 PEERS = SCENES_FOLDER / "necking-simo-peers.csv"
 
 
@@ -103,7 +103,7 @@ def _others(outcome: Outcome) -> list[NeckingRun]:
     done = []
     for name, make in (
         ("fem-explicit", lambda: explicit_fem_run(NECKING_SIMO, EXPLICIT, PERIODS)),
-        ("mpm-tl", lambda: total_mpm_run(NECKING_SIMO, PARTICLES, PERIODS, cure="mean-dilatation")),
+        ("mpm-tl", lambda: total_mpm_run(NECKING_SIMO, PARTICLES, PERIODS)),
     ):
         try:
             done.append(make())
