@@ -5,7 +5,7 @@ examples:
   matpoint study verification --only mms-vortex,plate-impact --out results/verification
 
 It writes results.json and report.html. The full study takes about half an hour on
-one core, --quick some 7 minutes.
+one core, --quick several minutes.
 Exit status: 0 when every criterion is met; 1 when some is not; 2 bad input.
 """
 
