@@ -10,7 +10,7 @@ from core_models.arguments import check_between
 from core_models.body_checks import check_body
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.geometry import find_geometry
-from core_models.initial_deformation import cannot_be, deform_slowly
+from core_models.initial_deformation import cannot_be, check_displacement, deform_slowly
 from core_models.initial_motion import field_values, initial_velocities
 from core_models.ledger import EnergyLedger
 from core_models.load_checks import check_loads, damping_of
@@ -85,6 +85,7 @@ class ExplicitSolver(Restartable, Readout):
         self._agreement = check_loads(loads, self.mesh, self.geometry, conduction=conduction)
         self.material, self.wall, self.safety = material, as_wall(wall), safety
         check_above(self.wall, self.mesh.points, self.geometry)
+        check_displacement(displacement, self.mesh, self.geometry, loads, self.wall)
         self.cure = find_cure(cure, mesh.kind, integration)
         self.threads = Threads(threads)
         self._body = Body(self.mesh, material, self.geometry, integration, self.cure, hourglass, self.threads)
