@@ -26,6 +26,7 @@ from fem.body import Body
 from fem.cures.choice import NODAL, cures_of, find_cure, make_cure
 from fem.elements import FULL, is_one_point_brick
 from fem.hourglass import DEFAULT
+from fem.implicit.checkpoint import RestartableIncrements
 from fem.implicit.frequency import lowest_frequency
 from fem.implicit.system import ElementSystem
 from fem.shape_readout import ShapeReadout
@@ -39,7 +40,7 @@ _TIMES = (0.5 - math.sqrt(0.15), 0.5, 0.5 + math.sqrt(0.15))
 _SHARES = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
 
 
-class ImplicitSolver(ShapeReadout):
+class ImplicitSolver(RestartableIncrements, ShapeReadout):
     """Quasi-static deformation of a body: forces balance at the end of every increment, inertia plays no part.
 
     Parameters
@@ -177,6 +178,7 @@ class ImplicitSolver(ShapeReadout):
                 dt = self._increments.cut(dt, why, self._place(attempt))
                 number += 1
         self._accept(positions, dt, end)
+        self.point_updates += self.points.n * (corrections + 1)
         self._end(attempt, corrections, CONVERGED)
         self._increments.converged(dt, corrections)
 
@@ -206,7 +208,6 @@ class ImplicitSolver(ShapeReadout):
         self.points.accept()
         self._body.accept()
         self.time, self.step_count = end, self.step_count + 1
-        self.point_updates = self.points.n * len(self.log.iterations)
 
     def _refuse_free_motion(self) -> None:
         bodies = bodies_of_nodes(self.mesh.cells, len(self.mesh.points))

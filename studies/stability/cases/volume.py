@@ -41,9 +41,9 @@ def _pulled(variant: str):
 
 CASES = (
     Case("tension", "Tension in all directions until J is about 1.3", _swelling(2e5), 0.6e-6),
-    Case("spall", "Tension in all directions far beyond any spall strength", _swelling(2e6), 0.5e-6),
-    Case("compression", "Compression in all directions towards the pole of the equation of state", _swelling(-1.5e6),
-         0.3e-6),
+    Case("spall", "Tension in all directions far beyond any spall strength", _swelling(5e5), 2e-6),
+    Case("compression", "Compression in all directions towards the pole of the equation of state", _swelling(-5e5),
+         0.8e-6),
     Case("locking", "Bulk modulus a thousand times the shear modulus, 50 m/s", _incompressible, 10e-6),
     Case("pulled-apart", "An elastic bar drawn to three times its length", _pulled, ASPECT * RADIUS / PULL),
 )  # fmt: skip
