@@ -82,7 +82,8 @@ def reach_table(runs: list[Measurement], quantity: str, reference: Reference) ->
     head = ("variant", *(f"{PERCENT * level:g} % [s]" for level in LEVELS))
     note = (
         f"Reference: {_reference_text(reference)}. Interpolated between runs; ≤: the coarsest run has it already; "
-        f"~: extrapolated; not resolvable: below {RESOLVABLE:g} times the reference's uncertainty; *: the fastest that is not extrapolated."
+        f"~: extrapolated; not resolvable: below {RESOLVABLE:g} times the reference's uncertainty; "
+        "*: the fastest that is not extrapolated."
     )
     return Table("Processor seconds", head, tuple(rows), note)
 
