@@ -60,8 +60,8 @@ class Agreement:
                 )
 
 
-def held_motions(loads: tuple[Load, ...], mesh, geometry: Geometry) -> list[Motion]:
-    """All components of motion that are held: by the axis, symmetry planes and supports."""
+def mirrored_motions(loads: tuple[Load, ...], mesh, geometry: Geometry) -> list[Motion]:
+    """Components of motion that the axis and symmetry planes hold at rest."""
     held = []
     if isinstance(geometry, Axisymmetric):
         held.append(Motion("the axis", 0, np.flatnonzero(mesh.points[:, 0] == 0.0), 0.0))
@@ -69,6 +69,12 @@ def held_motions(loads: tuple[Load, ...], mesh, geometry: Geometry) -> list[Moti
         if isinstance(load, Symmetry):
             nodes = np.unique(mesh.boundaries[load.boundary])
             held.append(Motion(load.boundary, symmetry_plane(mesh, load.boundary)[0], nodes, 0.0))
+    return held
+
+
+def held_motions(loads: tuple[Load, ...], mesh, geometry: Geometry) -> list[Motion]:
+    """All components of motion that are held: by the axis, symmetry planes and supports."""
+    held = mirrored_motions(loads, mesh, geometry)
     for load in supports(loads, mesh.dimension):
         nodes = np.unique(mesh.boundaries[load.boundary])
         held.append(Motion(load.boundary, load.component, nodes, load.velocity))

@@ -21,6 +21,7 @@ from core_models.heating.taylor_quinney import TaylorQuinney
 from core_models.shear_modulus.nadal_le_poac import NadalLePoac
 from core_models.shear_modulus.preston_tonks_wallace import PrestonShearModulus
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
+from core_models.updates.fibre_reinforced import FibreReinforced
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.yield_condition.drucker_prager import DruckerPrager
@@ -31,6 +32,7 @@ from core_models.yield_condition.von_mises import VonMises
 PRESENT = (tuple,)  # any law
 ABSENT = (type(None),)
 SPLIT_UPDATES = (HypoelasticPlastic, HyperelasticPlastic)
+WHOLE_UPDATES = (CompressibleNeoHookean, FibreReinforced)
 SLOTS_OF_A_SPLIT = (
     "eos", "flow", "yield_condition", "shear_modulus", "kinematic_hardening", "damage", "melting", "heating",
     "stability", "erosion", "objective_rate", "expansion",
@@ -62,12 +64,13 @@ CLASHES = (
     *(
         Clash(
             "update",
-            (CompressibleNeoHookean,),
+            (whole,),
             slot,
             PRESENT,
-            "CompressibleNeoHookean is elastic, and its stress needs no other law",
+            f"{whole.__name__} is elastic, and its stress needs no other law",
             f"leave {slot} out",
         )
+        for whole in WHOLE_UPDATES
         for slot in SLOTS_OF_A_SPLIT
     ),
     Clash(
@@ -171,6 +174,16 @@ CLASHES = (
     Clash(
         "damage", (VoidNucleation,), "yield_condition", (VonMises, *PRESSURE_DEPENDENT, *ABSENT),
         "these voids act through the yield condition", "take the yield condition gurson",
+    ),
+    Clash(
+        "yield_condition", POROUS, "flow", (Anand,),
+        "the porous yield condition measures stresses by the flow stress, and Anand's matrix has none at rest",
+        "take a flow law with a yield stress",
+    ),
+    Clash(
+        "damage", (VoidNucleation,), "flow", (Anand,),
+        "the porous yield condition measures stresses by the flow stress, and Anand's matrix has none at rest",
+        "take a flow law with a yield stress",
     ),
     Clash(
         "yield_condition", PRESSURE_DEPENDENT, "flow", RATE_DEPENDENT,

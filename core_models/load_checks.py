@@ -58,7 +58,7 @@ def check_loads(loads: tuple[Load, ...], mesh, geometry: Geometry, *, conduction
         if isinstance(load, BodyForce) and load.at not in (CURRENT, REFERENCE):
             raise SceneError(f"a body force is taken at 'current' or 'reference' positions, not {load.at!r}")
         name = getattr(load, "boundary", None)
-        if name is not None and name not in mesh.boundaries:
+        if hasattr(load, "boundary") and not (isinstance(name, str) and name in mesh.boundaries):
             raise SceneError(
                 f"{type(load).__name__}: the mesh has no boundary {name!r}; {suggestion(name, mesh.boundaries)}"
             )
@@ -90,7 +90,8 @@ def damping_of(loads: tuple[Load, ...]) -> Damping | None:
 
 
 def _is_component(component: Any, dimension: int) -> bool:
-    return not isinstance(component, bool) and component in range(dimension)
+    whole = isinstance(component, int | np.integer) and not isinstance(component, bool)
+    return whole and 0 <= component < dimension
 
 
 def _check_values(load: Load, mesh) -> None:

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from core_models.compatibility import WHOLE_UPDATES
 from core_models.effects import Effect, material_effects
 from core_models.errors import MaterialError
 from core_models.laws import (
@@ -28,6 +29,7 @@ from core_models.material_checks import cautions, complaints
 from core_models.model import Model
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.corotation import corotated
+from core_models.updates.fibre_reinforced import FibreReinforced
 from core_models.updates.general import General
 from core_models.updates.general_problem import return_stress
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
@@ -63,7 +65,8 @@ class Material:
     Parameters
     ----------
     name : for messages and reports. density : reference density rho_0 [kg/m^3].
-    update : HypoelasticPlastic, HyperelasticPlastic, or CompressibleNeoHookean, which takes nothing but an elasticity.
+    update : HypoelasticPlastic or HyperelasticPlastic; CompressibleNeoHookean and FibreReinforced take nothing but an
+    elasticity.
     The other slots : laws of core_models.<slot>; all but eos and elasticity may be left out.
     room_temperature : initial temperature unless a body gives its own [K].
     thermal_conductivity : k [W/(m K)], > 0, or None.
@@ -78,7 +81,7 @@ class Material:
 
     name: str
     density: float
-    update: HypoelasticPlastic | HyperelasticPlastic | CompressibleNeoHookean
+    update: HypoelasticPlastic | HyperelasticPlastic | CompressibleNeoHookean | FibreReinforced
     elasticity: Any
     eos: Any = None
     flow: Any = None
@@ -168,7 +171,7 @@ class Material:
 
 def has_general_return(material: Material) -> bool:
     """Whether the laws need more than the scalar radial return."""
-    if isinstance(material.update, CompressibleNeoHookean):
+    if isinstance(material.update, WHOLE_UPDATES):
         return False
     other = type(material.yield_condition) in return_stress.implementations.keys() - {VonMises}
     return other or material.kinematic_hardening is not None

@@ -53,7 +53,9 @@ class Supports:
         Raises SceneError for a boundary that no support holds.
         """
         if boundary not in self._held:
-            raise SceneError(f"no support holds {boundary!r}; {suggestion(boundary, self._held)}")
+            raise SceneError(
+                f"no support holds {boundary!r}; {suggestion(boundary, self._held, 'nothing is held')}"
+            )
         total = np.zeros(self._points.shape[1])
         for nodes, component in self._held[boundary]:
             total[component] += self.reactions[nodes, component].sum()

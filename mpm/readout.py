@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from core_models.errors import SceneError
+from core_models.errors import SceneError, UnsupportedError
 from core_models.geometry import Axisymmetric
 from core_models.names import suggestion
 from mpm.configurations import Total
@@ -19,9 +19,14 @@ class Readout:
 
     @property
     def angular_momentum(self) -> float | np.ndarray:
-        """About the origin [kg m^2/s], with what affine velocities carry: a number in the plane, (3,) in space."""
+        """About the origin [kg m^2/s], with what affine velocities carry: a number in the plane, (3,) in space.
+
+        Raises UnsupportedError for an axisymmetric body, which does not turn.
+        """
         if isinstance(self.geometry, Axisymmetric):
-            raise AttributeError("a body of revolution has no angular momentum in its plane")
+            raise UnsupportedError(
+                "an axisymmetric body has no angular momentum: use geometry='plane-strain' or a 3-D mesh"
+            )
         x, v = self.positions, self.velocities
         spin = np.einsum("nj,ni->nij", x, v)
         if self.affine is not None:
@@ -45,7 +50,7 @@ class Readout:
             *(mirror_name for mirror in mirrors for mirror_name in mirror.names),
         ]
         if name not in known:
-            raise SceneError(f"boundary {name!r} exerts no force of its own; {suggestion(name, known)}")
+            raise SceneError(f"no support holds {name!r}; {suggestion(name, known, 'nothing is held')}")
         if name in self._supports.names:
             return self._reactions.get(name, np.zeros(self.mesh.dimension)).copy()
         return self._background.mirror_force(next(m for m in mirrors if name in m.names))

@@ -10,6 +10,7 @@ from core_models.body_checks import check_body
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.compilation import CHUNK
 from core_models.geometry import Axisymmetric, find_geometry
+from core_models.initial_deformation import check_displacement
 from core_models.ledger import EnergyLedger
 from core_models.load_checks import check_loads, damping_of
 from core_models.loads import Load, Symmetry
@@ -106,6 +107,7 @@ class Solver(Stepping, Books, Readout, Restartable, Body):
         wall = as_wall(wall)
         self._agreement = check_loads(loads, mesh, kind, conduction=conduction)
         check_above(wall, mesh.points, kind)
+        check_displacement(displacement, mesh, kind, loads, wall)
         base, mirrors = find_mirrors(mesh, kind, loads, wall, cell_size)
         check_size(mesh, kind, cell_size, mirrors)
         super().__init__(

@@ -47,6 +47,7 @@ from core_models.specific_heat.steel import SteelSpecificHeat
 from core_models.stability.drucker import DruckerStability
 from core_models.stability.hyperbolicity import HyperbolicityLoss
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
+from core_models.updates.fibre_reinforced import FibreReinforced
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.yield_condition.drucker_prager import DruckerPrager
@@ -62,7 +63,12 @@ def _shipped(name: str) -> tuple:
 
 
 SAMPLES = {
-    "update": [HypoelasticPlastic(), HyperelasticPlastic(), CompressibleNeoHookean()],
+    "update": [
+        HypoelasticPlastic(),
+        HyperelasticPlastic(),
+        CompressibleNeoHookean(),
+        FibreReinforced(1e9, 2.0, (1.0, 1.0, 0.0)),
+    ],
     "elasticity": [IsotropicElastic(BULK, SHEAR)],
     "objective_rate": [Logarithmic(), Jaumann()],
     "eos": [DefaultHypoelastic(BULK), NeoHookean(BULK), MieGruneisen(DENSITY, 3940.0, 2.02, 1.489)],

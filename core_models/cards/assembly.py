@@ -8,6 +8,7 @@ from lxml import etree
 
 from core_models.cards.models import Numbers, read_law, read_numbers
 from core_models.cards.origins import origin, refusal
+from core_models.compatibility import WHOLE_UPDATES
 from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.neo_hookean import NeoHookean
@@ -17,7 +18,6 @@ from core_models.material import Material
 from core_models.melting.constant import ConstantMelting
 from core_models.schema import EXPANSION_COEFFICIENT, HEATED_FRACTION, SLOTS, UPDATE
 from core_models.specific_heat.constant import ConstantSpecificHeat
-from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.yield_condition.von_mises import VonMises
 
@@ -78,7 +78,7 @@ def _constants(card: Numbers) -> dict[str, Any]:
 
 
 def _default_eos(blocks: Blocks, update: tuple, card: Numbers) -> tuple | None:
-    if isinstance(update, CompressibleNeoHookean):
+    if isinstance(update, WHOLE_UPDATES):
         return None
     law = DefaultHypoelastic if isinstance(update, HypoelasticPlastic) else NeoHookean
     log.info("%s: no <equation_of_state>: %s is used", origin(blocks.model), law.__name__)

@@ -9,7 +9,7 @@ from core_models.laws import is_beyond_eos, pressure
 class DefaultHypoelastic(NamedTuple):
     """Default hypoelastic equation of state: dp/dt = K tr(d), that is p = K ln J (tension positive).
 
-    The founding document's eq. (5) in closed form: tr(d) dt summed over any path is ln J, so nothing drifts.
+    Source: the founding document's eq. (5), in closed form: tr(d) dt summed over any path is ln J, so nothing drifts.
 
     Parameters
     ----------

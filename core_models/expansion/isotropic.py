@@ -17,6 +17,7 @@ class IsotropicExpansion(NamedTuple):
 
     T is the temperature before the step. A body that starts at another temperature than T_0, and has its undeformed
     shape, is under pressure. No heat comes from it: thermoelastic cooling is left out.
+    Source: Lu & Pister, Int. J. Solids Struct. 11 (1975) 927: the multiplicative split of thermal and elastic volume.
     """
 
     coefficient: float

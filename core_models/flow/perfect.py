@@ -11,6 +11,8 @@ class PerfectPlasticity(NamedTuple):
     Parameters
     ----------
     yield_stress : [Pa], > 0.
+
+    Source: Prandtl (1924) and Reuss (1930); Simo & Hughes, Computational Inelasticity (1998), section 2.2.
     """
 
     yield_stress: float

@@ -15,6 +15,7 @@ class TabulatedHardening(NamedTuple):
     strains : equivalent plastic strains [-], from 0 upwards, at least two. stresses : flow stress at each [Pa], > 0.
 
     The slope at a point of the table is that of the line on its left. Kernels are compiled for each number of points.
+    Source: the table's own; linear interpolation.
     """
 
     strains: tuple[float, ...]

@@ -12,6 +12,7 @@ from core_models.objective_rate.jaumann import Jaumann
 from core_models.objective_rate.logarithmic import Logarithmic
 from core_models.schema.damage import DAMAGE, EROSION
 from core_models.schema.entries import (
+    ANY,
     NOT_NEGATIVE,
     POSITIVE,
     ZERO,
@@ -28,6 +29,7 @@ from core_models.schema.yielding import KINEMATIC_HARDENING, YIELD_CONDITION
 from core_models.stability.drucker import DruckerStability
 from core_models.stability.hyperbolicity import HyperbolicityLoss
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
+from core_models.updates.fibre_reinforced import FibreReinforced
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 
@@ -53,6 +55,16 @@ UPDATE = SlotSchema(
             types=("compressible_neo_hookean", "cnh_mms"),
             law=CompressibleNeoHookean,
             help="elastic: [G (b - 1) + (K - 2 G / 3) ln J 1] / J, without equation of state",
+        ),
+        ModelSchema(
+            types=("fibre_reinforced",),
+            law=FibreReinforced,
+            help="elastic: compressible neo-Hookean matrix with a family of fibres that carry tension",
+            parameters=(
+                Parameter("k1", "Pa", POSITIVE, "stiffness of the fibres"),
+                Parameter("k2", "-", NOT_NEGATIVE, "how fast they stiffen"),
+                Parameter("fibre", "-", ANY, "direction of the fibres in the reference body", size=3),
+            ),
         ),
     ),
     unavailable=(

@@ -132,7 +132,7 @@ def _(yield_condition, model, flow, problem, rows, k):
 @beside_kernel
 def _search(law, model, flow, problem, mises):
     """Newton's method for the three unknowns, from the return at fixed flow stress and porosity."""
-    # Laws that feel a rate may have no strength without: what they have if all of the trial flows is a start.
+    # Laws that feel a rate are stronger than at none: what they have if all of the trial flows is a good start.
     start = strength(flow, problem, 0.0).stress
     start = max(start, min(strength(flow, problem, mises / (3.0 * problem.shear)).stress, mises))
     porosity = problem.porosity

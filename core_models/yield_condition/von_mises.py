@@ -14,6 +14,7 @@ class VonMises(NamedTuple):
     """Von Mises yield condition: q = sqrt(3/2 s:s) <= sigma_y, with associated flow.
 
     The stress measure is that of the update which calls it: Cauchy in the hypoelastic, Kirchhoff in the hyperelastic.
+    Source: von Mises (1913); radial return: Wilkins (1964), Simo & Hughes, Computational Inelasticity (1998), box 3.1.
     """
 
 

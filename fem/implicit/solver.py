@@ -26,11 +26,13 @@ from fem.body import Body
 from fem.cures.choice import NODAL, cures_of, find_cure, make_cure
 from fem.elements import FULL, is_one_point_brick
 from fem.hourglass import DEFAULT
+from fem.implicit.checkpoint import RestartableIncrements
 from fem.implicit.frequency import lowest_frequency
 from fem.implicit.system import ElementSystem
 from fem.shape_readout import ShapeReadout
 from fem.supports import Supports
 from meshes.axisymmetric import axisymmetric
+from meshes.bodies import bodies_of_nodes
 from meshes.mesh import Mesh
 
 # Gauss-Legendre on [0, 1]: the displacement that prescribed velocities add up to within an increment.
@@ -38,7 +40,7 @@ _TIMES = (0.5 - math.sqrt(0.15), 0.5, 0.5 + math.sqrt(0.15))
 _SHARES = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
 
 
-class ImplicitSolver(ShapeReadout):
+class ImplicitSolver(RestartableIncrements, ShapeReadout):
     """Quasi-static deformation of a body: forces balance at the end of every increment, inertia plays no part.
 
     Parameters
@@ -176,6 +178,7 @@ class ImplicitSolver(ShapeReadout):
                 dt = self._increments.cut(dt, why, self._place(attempt))
                 number += 1
         self._accept(positions, dt, end)
+        self.point_updates += self.points.n * (corrections + 1)
         self._end(attempt, corrections, CONVERGED)
         self._increments.converged(dt, corrections)
 
@@ -205,10 +208,10 @@ class ImplicitSolver(ShapeReadout):
         self.points.accept()
         self._body.accept()
         self.time, self.step_count = end, self.step_count + 1
-        self.point_updates = self.points.n * len(self.log.iterations)
 
     def _refuse_free_motion(self) -> None:
-        motion = free_motion(self.mesh.points, self._system.fixed, _bodies(self.mesh), self.geometry)
+        bodies = bodies_of_nodes(self.mesh.cells, len(self.mesh.points))
+        motion = free_motion(self.mesh.points, self._system.fixed, bodies, self.geometry)
         if motion:
             raise SingularStiffness(
                 f"nothing holds the {motion}: the stiffness is singular; add Fixed, Prescribed or Symmetry"
@@ -242,14 +245,3 @@ def _refuse_without_tangent(kind: str, integration: str, cure: str) -> None:
         raise UnsupportedError(
             f"the cure {NODAL!r} has no implicit tangent: use {quadratic} elements, or cure={others}"
         )
-
-
-def _bodies(mesh: Mesh) -> np.ndarray:
-    """Number of the body (n,) that each node belongs to."""
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
-
-    first = np.repeat(mesh.cells[:, :1], mesh.cells.shape[1], axis=1).ravel()
-    count = len(mesh.points)
-    links = coo_matrix((np.ones(first.size), (first, mesh.cells.ravel())), shape=(count, count))
-    return connected_components(links, directed=False)[1]

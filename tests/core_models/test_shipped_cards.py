@@ -4,12 +4,13 @@ import re
 
 import pytest
 
-from core_models.cards import read_material, shipped_materials
+from core_models.cards import material_element, parse_material, read_material, shipped_materials
 from core_models.flow.steinberg_cochran_guinan import SteinbergCochranGuinan
 from core_models.laws import elastic_moduli, flow_stress
 
 NAMES = {
     "aluminium_6061_t6_johnson_cook",
+    "concrete_c30_drucker_prager",
     "copper_etp_mts",
     "copper_hyperelastic_mts",
     "copper_hypoelastic_johnson_cook",
@@ -18,6 +19,7 @@ NAMES = {
     "copper_ofhc_steinberg_cochran_guinan",
     "copper_ofhc_zerilli_armstrong",
     "iron_armco_johnson_cook",
+    "sand_dense_mohr_coulomb",
     "solder_60sn40pb_anand",
     "steel_42crmo4_johnson_cook",
     "steel_4340_johnson_cook",
@@ -29,7 +31,9 @@ NAMES = {
     "tungsten_steinberg_cochran_guinan",
 }
 FOUNDING = {"copper_hyperelastic_mts", "copper_hypoelastic_johnson_cook"}  # kept as their document has them
-SOURCE = re.compile(r"Uintah|DynELA|Karamelo|J\. Appl\. Phys\.|J\. Electron\. Packag\.|The same")
+SOURCE = re.compile(
+    r"Uintah|DynELA|Karamelo|J\. Appl\. Phys\.|J\. Electron\. Packag\.|EN 199|Bowles|The same"
+)
 
 
 def material(name):
@@ -38,7 +42,7 @@ def material(name):
 
 
 def test_metals_are_there():
-    """Copper (annealed, OFHC, ETP), steel (4340, HY100, 42CrMo4, Weldox), Armco iron, 6061-T6, Ta, W, solder."""
+    """Copper, 4340, HY100, 42CrMo4, Weldox steel, Armco iron, 6061-T6, tantalum, tungsten, solder, sand, concrete."""
     assert set(shipped_materials()) >= NAMES
 
 
@@ -118,3 +122,17 @@ def test_steinberg_cards_harden_to_their_limit():
         flow = material(name).flow
         if isinstance(flow, SteinbergCochranGuinan):
             assert flow.sigma_0 < flow.Y_max < 0.05 * elastic_moduli(material(name).elasticity)[1]
+
+
+def test_concrete_has_its_uniaxial_strengths():
+    """The Drucker-Prager cone goes through compression at 38 MPa and tension at 2.9 MPa."""
+    concrete = material("concrete_c30_drucker_prager")
+    alpha, k = concrete.yield_condition.alpha, concrete.flow.yield_stress
+    for stress in (-38e6, 2.9e6):
+        assert abs(stress) / 3.0**0.5 + alpha * stress == pytest.approx(k, rel=1e-5)
+
+
+def test_every_shipped_card_is_written_and_read_back():
+    """Defaults that no decimal number can say, such as no tension cut-off, included."""
+    for name in NAMES:
+        assert parse_material(material_element(material(name))).material == material(name)

@@ -9,6 +9,7 @@ import pytest
 
 from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.eos.neo_hookean import NeoHookean
+from core_models.equilibrium import linear_solvers
 from core_models.equilibrium.order import newton_orders
 from core_models.errors import NoEquilibrium, SceneError, SingularStiffness, UnsupportedError
 from core_models.flow.voce import Voce
@@ -164,7 +165,7 @@ def test_log_tells_every_iteration(tmp_path):
     lines = [json.loads(line) for line in (tmp_path / "log.jsonl").read_text().splitlines()]
     assert lines == [asdict(record) for record in solver.log.records]
     assert [line["kind"] for line in lines] == ["start", *["iteration"] * (len(lines) - 2), "increment"]
-    assert lines[0]["linear_solver"] == solver.linear_solver == "scipy"
+    assert lines[0]["linear_solver"] == solver.linear_solver
     assert lines[-1]["outcome"] == "converged" and lines[-2]["relative"] <= 1e-8
     assert len(solver.log.text().splitlines()) == len(lines) + 1
 
@@ -190,6 +191,18 @@ def test_load_that_cannot_be_carried_ends_with_the_last_converged_state():
     assert caught.value.exit_status == 3 and "\n" not in str(caught.value)
     assert 0.55 < solver.time < 0.615 and solver.log.cuts
     assert solver.points.old.stress[:, 1].max() == pytest.approx(1e9 * solver.time, rel=0.3)
+
+
+def test_restart_goes_on_bitwise():
+    """A solver built alike and given the checkpoint of another makes the same increments."""
+    first, second = (bar(3, 8, 0.982, 0.05, grading=0.3) for _ in range(2))
+    pulled(first, 0.1)
+    kept = first.checkpoint()
+    expected = pulled(first, 0.25)
+    second.restore(kept)
+    assert (pulled(second, 0.25) == expected).all() and (second.positions == first.positions).all()
+    with pytest.raises(SceneError, match="the checkpoint is of another solver"):
+        bar(2, 8, 0.982, 0.05).restore(kept)
 
 
 @pytest.mark.parametrize(
@@ -258,6 +271,22 @@ def test_senseless_options_are_refused(options, error, told):
     mesh = block([0.0, 0.0], [1.0, 1.0], [1, 1])
     with pytest.raises(error, match=told):
         ImplicitSolver(mesh, steel(), **({"increment": 1.0} | options))
+
+
+def test_pardiso_gives_the_same_forces():
+    """Where it is installed it is chosen by itself, and agrees with SciPy."""
+    pytest.importorskip("pypardiso")
+    solvers = [bar(3, 8, 0.982, 0.1, linear_solver=name) for name in (None, "scipy")]
+    assert [solver.linear_solver for solver in solvers] == ["pardiso", "scipy"]
+    forces = [pulled(solver, 0.3) for solver in solvers]
+    assert forces[0] == pytest.approx(forces[1], rel=1e-7)
+
+
+def test_pardiso_that_is_not_installed_is_refused_with_the_extra_to_install(monkeypatch):
+    """The message names the extra, and what works without it."""
+    monkeypatch.setattr(linear_solvers, "find_spec", lambda name: None)
+    with pytest.raises(UnsupportedError, match="install the extra 'solvers', or use linear_solver='scipy'"):
+        bar(1, 1, 1.0, 1.0, linear_solver="pardiso")
 
 
 def test_nodal_averages_have_no_tangent():

@@ -264,5 +264,5 @@ def test_planes_that_are_no_whole_number_of_cells_apart_are_refused(body):
 
 def test_a_boundary_without_a_force_of_its_own_is_refused(body):
     """Asking for the reaction of a free side tells which sides have one."""
-    with pytest.raises(SceneError, match=r"'top' exerts no force.*bottom"):
+    with pytest.raises(SceneError, match=r"no support holds 'top'.*bottom"):
         body(symmetries=["bottom"]).boundary_force("top")

@@ -4,7 +4,8 @@ examples:
   matpoint study verification --quick
   matpoint study verification --only mms-vortex,plate-impact --out results/verification
 
-It writes results.json and report.html. The full study takes about 20 minutes on one core, --quick about 2.
+It writes results.json and report.html. The full study takes about half an hour on
+one core, --quick several minutes.
 Exit status: 0 when every criterion is met; 1 when some is not; 2 bad input.
 """
 

@@ -21,7 +21,7 @@ DENSITY, SPECIFIC_HEAT, CONDUCTIVITY = 1000.0, 1.0, 1000.0  # a diffusivity of 1
 BULK, SHEAR = 1e4 / 3.0, 5e3
 START, SURFACE = 400.0, 300.0  # K
 FOURIER = 0.2
-COUNTS = {False: (4, 8, 16, 32), True: (4, 6, 8, 12)}
+COUNTS = {False: (4, 8, 16, 32), True: (8, 10, 12, 16)}
 LOWEST_ORDER = 1.9
 
 VARIANTS = (

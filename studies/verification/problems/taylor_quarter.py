@@ -7,7 +7,7 @@ from studies.verification.variant import FEM, MPM, Variant, attempt
 from studies.verification.variants import EVEN
 
 SCENES = ("taylor-classic", "taylor-copper-jc")
-ACROSS = {False: {"FEM": 6, "MPM": 6}, True: {"FEM": 4, "MPM": 4}}
+ACROSS = {False: {"FEM": 6, "MPM": 6}, True: {"FEM": 4, "MPM": 6}}
 WALL = "plane"
 LENGTH_TOLERANCE, RADIUS_TOLERANCE = 0.003, 0.015
 
