@@ -24,6 +24,7 @@ from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.fibre_reinforced import FibreReinforced
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.updates.orthotropic import Orthotropic
 from core_models.yield_condition.drucker_prager import DruckerPrager
 from core_models.yield_condition.gurson import Gurson
 from core_models.yield_condition.mohr_coulomb import MohrCoulomb
@@ -32,7 +33,7 @@ from core_models.yield_condition.von_mises import VonMises
 PRESENT = (tuple,)  # any law
 ABSENT = (type(None),)
 SPLIT_UPDATES = (HypoelasticPlastic, HyperelasticPlastic)
-WHOLE_UPDATES = (CompressibleNeoHookean, FibreReinforced)
+WHOLE_UPDATES = (CompressibleNeoHookean, FibreReinforced, Orthotropic)
 SLOTS_OF_A_SPLIT = (
     "eos", "flow", "yield_condition", "shear_modulus", "kinematic_hardening", "damage", "melting", "heating",
     "stability", "erosion", "objective_rate", "expansion",
