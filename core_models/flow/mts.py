@@ -180,6 +180,9 @@ def _(flow, hardening_variable, strain_increment, plastic_rate, temperature):
         threshold += h * slope
         by_increment += share * slope + h * slope_threshold * middle_by_increment
         by_rate += h * (slope_threshold * middle_by_rate + slope_rate)
+        # Where recovery is faster than a substep resolves, the rule would go past 0, which the threshold cannot.
+        if threshold < 0.0:
+            threshold, by_increment, by_rate = 0.0, 0.0, 0.0
     if plastic_rate <= LOWEST_RATE:
         by_rate = 0.0
     return threshold, by_increment, by_rate
