@@ -9,12 +9,13 @@ from numpy.typing import ArrayLike
 from core_models.arguments import check_between
 from core_models.body_checks import check_body
 from core_models.bulk_viscosity import BulkViscosity
+from core_models.errors import UnsupportedError
 from core_models.geometry import find_geometry
 from core_models.initial_deformation import cannot_be, check_displacement, deform_slowly
 from core_models.initial_motion import field_values, initial_velocities
 from core_models.ledger import EnergyLedger
-from core_models.load_checks import check_loads, damping_of
-from core_models.loads import Load, at_time
+from core_models.load_checks import check_loads, damping_of, damping_rate
+from core_models.loads import Load
 from core_models.material import Material
 from core_models.points import MaterialPoints, PointFailure
 from core_models.redo import VANISHING_STEP, redoing, step_within
@@ -31,6 +32,7 @@ from fem.motion import CONTACT, DAMPING, EXTERNAL, FRICTION, IMPULSE, NODE_CHUNK
 from fem.readout import Readout
 from fem.supports import Supports
 from meshes.axisymmetric import axisymmetric
+from meshes.bodies import bodies_of_nodes
 from meshes.mesh import Mesh, check_mesh
 
 
@@ -77,6 +79,7 @@ class ExplicitSolver(Restartable, Readout):
         safety: float = 0.9,
     ) -> None:
         check_mesh(mesh)
+        _refuse_several_bodies(mesh)
         check_body(material, temperature, viscosity)
         check_between("safety", safety, 0.0, 1.0)
         check_between("hourglass", hourglass, 0.0, 1.0)
@@ -92,8 +95,7 @@ class ExplicitSolver(Restartable, Readout):
         self.mass = float(self._body.nodal_mass.sum())
         self._supports = Supports(loads, self.mesh, self.geometry)
         self._external = ExternalForces(loads, self.mesh, self.geometry, self._body.nodal_mass)
-        damping = damping_of(loads)
-        self._damping_rate = damping.rate if damping else 0.0
+        self._mass_damping = damping_of(loads)
         self.velocities = initial_velocities(velocity, self.mesh.points)
         volumes = self._body.space.tables.weights.ravel()
         self.points = MaterialPoints(material, volumes, temperature, viscosity, self.threads, conduction)
@@ -201,4 +203,14 @@ class ExplicitSolver(Restartable, Readout):
         self.time_step = self.safety * min(self._body.resist(self.positions, self.points), limit)
         self._ledger.hourglass = self._body.hourglass_energy
         self._loads = self._external.at(self.positions, self.time)
-        self._damping = at_time(self._damping_rate, self.time)
+        self._damping = damping_rate(self._mass_damping, self.time)
+
+
+def _refuse_several_bodies(mesh: Mesh) -> None:
+    """Refuse bodies that would pass through each other: there is no contact between them; UnsupportedError."""
+    count = int(bodies_of_nodes(mesh.cells, len(mesh.points)).max()) + 1
+    if count > 1:
+        raise UnsupportedError(
+            f"{mesh.source}: {count} bodies, between which finite elements have no contact: give one body, merge nodes "
+            "that coincide, or use mpm, where bodies meet in one velocity field"
+        )

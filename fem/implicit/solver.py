@@ -32,6 +32,7 @@ from fem.implicit.system import ElementSystem
 from fem.shape_readout import ShapeReadout
 from fem.supports import Supports
 from meshes.axisymmetric import axisymmetric
+from meshes.bodies import bodies_of_nodes
 from meshes.mesh import Mesh
 
 # Gauss-Legendre on [0, 1]: the displacement that prescribed velocities add up to within an increment.
@@ -209,7 +210,8 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
         self.time, self.step_count = end, self.step_count + 1
 
     def _refuse_free_motion(self) -> None:
-        motion = free_motion(self.mesh.points, self._system.fixed, _bodies(self.mesh), self.geometry)
+        bodies = bodies_of_nodes(self.mesh.cells, len(self.mesh.points))
+        motion = free_motion(self.mesh.points, self._system.fixed, bodies, self.geometry)
         if motion:
             raise SingularStiffness(
                 f"nothing holds the {motion}: the stiffness is singular; add Fixed, Prescribed or Symmetry"
@@ -243,14 +245,3 @@ def _refuse_without_tangent(kind: str, integration: str, cure: str) -> None:
         raise UnsupportedError(
             f"the cure {NODAL!r} has no implicit tangent: use {quadratic} elements, or cure={others}"
         )
-
-
-def _bodies(mesh: Mesh) -> np.ndarray:
-    """Number of the body (n,) that each node belongs to."""
-    from scipy.sparse import coo_matrix
-    from scipy.sparse.csgraph import connected_components
-
-    first = np.repeat(mesh.cells[:, :1], mesh.cells.shape[1], axis=1).ravel()
-    count = len(mesh.points)
-    links = coo_matrix((np.ones(first.size), (first, mesh.cells.ravel())), shape=(count, count))
-    return connected_components(links, directed=False)[1]

@@ -7,6 +7,7 @@ from core_models.errors import MeshError, SceneError, UnsupportedError
 from core_models.loads import Fixed, Prescribed, Traction
 from fem import ExplicitSolver
 from meshes.block import block
+from meshes.join import join
 
 PLANE = {"geometry": "plane-strain"}
 
@@ -74,3 +75,12 @@ def test_reading_what_is_not_there_is_refused(elastic):
         solver.boundary_force("right")
     with pytest.raises(UnsupportedError, match="boundary_positions"):
         solver.outline()
+
+
+def test_several_bodies_are_refused(elastic):
+    """Without contact they would pass through each other."""
+    two = join([block([0.0, 0.0], [1.0, 1.0], [1, 1]), block([2.0, 0.0], [3.0, 1.0], [1, 1])])
+    with pytest.raises(
+        UnsupportedError, match="2 bodies, between which finite elements have no contact.*use mpm"
+    ):
+        ExplicitSolver(two, elastic, **PLANE)

@@ -3,7 +3,8 @@
 from dataclasses import replace
 
 from core_models.erosion.zero_stress import ZeroStress
-from studies.stability.bodies import bar, bar_mesh, copper, hardening, hyperelastic
+from core_models.flow.voce import Voce
+from studies.stability.bodies import bar, bar_mesh, classic, copper, hardening, hyperelastic
 from studies.stability.case import Case
 
 END = 15e-6  # s
@@ -18,8 +19,13 @@ def _held(variant: str):
     return bar(variant, copper(), velocity=-400.0, wall="plane")
 
 
-def _flow(yield_stress: float, modulus: float):
-    return lambda variant: bar(variant, hardening(yield_stress, modulus), velocity=-200.0, wall="unilateral")
+def _soft(variant: str):
+    return bar(variant, hardening(1.0, 0.0), velocity=-200.0, wall="unilateral")
+
+
+def _softening(variant: str):
+    material = replace(classic(), flow=Voce(400e6, 1e3, 10.0, 0.0))
+    return bar(variant, material, velocity=-200.0, wall="unilateral")
 
 
 def _eroding(variant: str):
@@ -43,7 +49,7 @@ CASES = (
     Case("melting", "Copper bar 6 K below melting, 200 m/s", _impact(200.0, temperature=1350.0), END),
     Case("melted", "Copper bar above melting: no strength, 200 m/s", _impact(200.0, temperature=1400.0), END),
     Case("erosion", "Copper bar at 500 m/s whose damaged points lose all stress", _eroding, END),
-    Case("soft", "Yield stress of 1 Pa, 200 m/s", _flow(1.0, 0.0), END),
-    Case("softening", "Flow stress that falls with strain until nothing is left, 200 m/s", _flow(400e6, -1e9), END),
+    Case("soft", "Yield stress of 1 Pa, 200 m/s", _soft, END),
+    Case("softening", "Flow stress that falls with strain until next to nothing is left, 200 m/s", _softening, END),
     Case("rate-1e8", "A bar of a few micrometres: strain rates of 1e8 1/s", _fast_rate, MICRON * END),
 )  # fmt: skip

@@ -35,9 +35,9 @@ OTHERS = {"peak force": 0.01, "neck radius at 5 mm": 0.02, "neck radius at 6 mm"
 
 FINE = NeckingMesh(10, 40, 0.05)
 MESHES = (NeckingMesh(5, 20, 0.2), NeckingMesh(8, 24, 0.17), FINE)
-EXPLICIT, PARTICLES = NeckingMesh(8, 24, 0.17), NeckingMesh(8, 33)
+EXPLICIT, PARTICLES = NeckingMesh(8, 24, 0.17), NeckingMesh(12, 50)
 INCREMENTS = 250
-PERIODS = 300.0
+PERIODS = {"fem-explicit": 300.0, "mpm-tl": 400.0}
 PEERS = SCENES_FOLDER / "necking-simo-peers.csv"
 
 
@@ -102,8 +102,8 @@ def _quadratic() -> NeckingRun:
 def _others(outcome: Outcome) -> list[NeckingRun]:
     done = []
     for name, make in (
-        ("fem-explicit", lambda: explicit_fem_run(NECKING_SIMO, EXPLICIT, PERIODS)),
-        ("mpm-tl", lambda: total_mpm_run(NECKING_SIMO, PARTICLES, PERIODS)),
+        ("fem-explicit", lambda: explicit_fem_run(NECKING_SIMO, EXPLICIT, PERIODS["fem-explicit"])),
+        ("mpm-tl", lambda: total_mpm_run(NECKING_SIMO, PARTICLES, PERIODS["mpm-tl"])),
     ):
         try:
             done.append(make())
