@@ -166,7 +166,7 @@ def test_prescribed_ends_draw_a_strip_evenly(total, update):
 
 @pytest.mark.parametrize("kind", ["plane", "unilateral"])
 def test_a_taylor_bar_shortens_like_that_of_finite_elements(build, bar, j2, kind):
-    """Length within 0.5 %, momentum changes by the impulse of the wall, energy closes to 0.2 %, the foot stays there."""
+    """Length within 0.5 %, momentum changes by the impulse of the wall, energy closes to 0.2 %, foot on the wall."""
     lengths = []
     for method, options in (("fem", {}), ("mpm", {"configuration": "total"})):
         solver = build(method, bar(4, 32), j2, velocity=-227.0, wall=kind, **options)
