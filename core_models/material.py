@@ -34,6 +34,7 @@ from core_models.updates.general import General
 from core_models.updates.general_problem import return_stress
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
 from core_models.yield_condition.von_mises import VonMises
 
 SLOTS = {
@@ -65,8 +66,8 @@ class Material:
     Parameters
     ----------
     name : for messages and reports. density : reference density rho_0 [kg/m^3].
-    update : HypoelasticPlastic or HyperelasticPlastic; CompressibleNeoHookean and FibreReinforced take nothing but an
-    elasticity.
+    update : HypoelasticPlastic or HyperelasticPlastic; CompressibleNeoHookean, FibreReinforced and
+    StVenantKirchhoff take nothing but an elasticity, only the last one that is anisotropic.
     The other slots : laws of core_models.<slot>; all but eos and elasticity may be left out.
     room_temperature : initial temperature unless a body gives its own [K].
     thermal_conductivity : k [W/(m K)], > 0, or None.
@@ -81,7 +82,13 @@ class Material:
 
     name: str
     density: float
-    update: HypoelasticPlastic | HyperelasticPlastic | CompressibleNeoHookean | FibreReinforced
+    update: (
+        HypoelasticPlastic
+        | HyperelasticPlastic
+        | CompressibleNeoHookean
+        | FibreReinforced
+        | StVenantKirchhoff
+    )
     elasticity: Any
     eos: Any = None
     flow: Any = None

@@ -69,16 +69,17 @@ LIMITS = {
 
 
 def numbers(parameter):
-    """Numbers of a parameter's range, such that a Material accepts most of them together."""
+    """Numbers of a parameter's range, or vectors of them, such that a Material accepts most of them together."""
     low, high, low_open, high_open = parameter.range
     bottom, top = LIMITS.get(parameter.tag, (-1e3, 1e3))
-    return st.floats(
+    number = st.floats(
         max(low, bottom),
         min(high, top),
         exclude_min=low_open and low >= bottom,
         exclude_max=high_open and high <= top,
         allow_subnormal=False,
     )
+    return number if parameter.size == 1 else st.tuples(*[number] * parameter.size)
 
 
 @st.composite
