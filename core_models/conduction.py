@@ -50,9 +50,7 @@ def thermal_loads(loads: tuple[Load, ...]) -> tuple[list[FixedTemperature], list
     held = [load for load in loads if isinstance(load, FixedTemperature)]
     fluxes = [load for load in loads if isinstance(load, HeatFlux)]
     for load in held:
-        check_between(
-            f"FixedTemperature on {load.boundary!r}", at_time(load.temperature, 0.0), 0.0, math.inf, "K"
-        )
+        held_temperature(load, 0.0)
     for load in fluxes:
         check_between(f"HeatFlux on {load.boundary!r}", at_time(load.flux, 0.0), -math.inf, math.inf, "W/m^2")
     names = [load.boundary for load in (*held, *fluxes)]
@@ -63,6 +61,12 @@ def thermal_loads(loads: tuple[Load, ...]) -> tuple[list[FixedTemperature], list
                 "(the sum, if several fluxes act)"
             )
     return held, fluxes
+
+
+def held_temperature(load: FixedTemperature, time: float) -> float:
+    """Temperature [K] of a boundary at a time [s]; SceneError for one that is not above 0 K."""
+    what = f"FixedTemperature on {load.boundary!r} at t = {time:.6g} s"
+    return check_between(what, at_time(load.temperature, time), 0.0, math.inf, "K")
 
 
 @material_kernel

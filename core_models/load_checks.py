@@ -1,6 +1,5 @@
 """Refusals of loads that cannot act on a mesh as asked, with the numbers that show why."""
 
-import math
 from typing import Any
 
 import numpy as np
@@ -83,10 +82,18 @@ def damping_of(loads: tuple[Load, ...]) -> Damping | None:
     if len(found) > 1:
         raise SceneError(f"{len(found)} dampings act on the same body: give one, with the sum of the rates")
     for damping in found:
-        rate = at_time(damping.rate, 0.0)
-        if not 0.0 <= rate < math.inf:
-            raise SceneError(f"Damping: rate = {rate:g} 1/s is out of range: give a finite number from 0")
+        damping_rate(damping, 0.0)
     return found[0] if found else None
+
+
+def damping_rate(damping: Damping | None, time: float) -> float:
+    """Rate [1/s] of a damping, 0 without one, at a time [s]; SceneError for one below 0."""
+    rate = at_time(damping.rate, time) if damping else 0.0
+    if rate < 0.0:
+        raise SceneError(
+            f"Damping: rate = {rate:g} 1/s at t = {time:.6g} s is out of range: give a finite number from 0"
+        )
+    return rate
 
 
 def _is_component(component: Any, dimension: int) -> bool:

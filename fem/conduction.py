@@ -6,7 +6,7 @@ of a step. Boundaries act on the nodes.
 
 import numpy as np
 
-from core_models.conduction import Capacities, check_conduction, thermal_loads
+from core_models.conduction import Capacities, check_conduction, held_temperature, thermal_loads
 from core_models.geometry import Geometry, PlaneStrain
 from core_models.loads import Load, at_time
 from core_models.points import MaterialPoints
@@ -118,5 +118,5 @@ class Conduction:
         """Given temperatures (n,) [K]; where boundaries meet, their mean, which is what Fourier's series has there."""
         given = np.zeros(len(self._rises))
         for load, nodes in self._held_by:
-            given[nodes] += at_time(load.temperature, time)
+            given[nodes] += held_temperature(load, time)
         return given / self._times_held

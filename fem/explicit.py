@@ -14,8 +14,8 @@ from core_models.geometry import find_geometry
 from core_models.initial_deformation import cannot_be, check_displacement, deform_slowly
 from core_models.initial_motion import field_values, initial_velocities
 from core_models.ledger import EnergyLedger
-from core_models.load_checks import check_loads, damping_of
-from core_models.loads import Load, at_time
+from core_models.load_checks import check_loads, damping_of, damping_rate
+from core_models.loads import Load
 from core_models.material import Material
 from core_models.points import MaterialPoints, PointFailure
 from core_models.redo import VANISHING_STEP, redoing, step_within
@@ -95,8 +95,7 @@ class ExplicitSolver(Restartable, Readout):
         self.mass = float(self._body.nodal_mass.sum())
         self._supports = Supports(loads, self.mesh, self.geometry)
         self._external = ExternalForces(loads, self.mesh, self.geometry, self._body.nodal_mass)
-        damping = damping_of(loads)
-        self._damping_rate = damping.rate if damping else 0.0
+        self._mass_damping = damping_of(loads)
         self.velocities = initial_velocities(velocity, self.mesh.points)
         volumes = self._body.space.tables.weights.ravel()
         self.points = MaterialPoints(material, volumes, temperature, viscosity, self.threads, conduction)
@@ -204,7 +203,7 @@ class ExplicitSolver(Restartable, Readout):
         self.time_step = self.safety * min(self._body.resist(self.positions, self.points), limit)
         self._ledger.hourglass = self._body.hourglass_energy
         self._loads = self._external.at(self.positions, self.time)
-        self._damping = at_time(self._damping_rate, self.time)
+        self._damping = damping_rate(self._mass_damping, self.time)
 
 
 def _refuse_several_bodies(mesh: Mesh) -> None:

@@ -6,7 +6,7 @@ act at the middles of the particles' faces. Bodies that share nodes share heat.
 
 import numpy as np
 
-from core_models.conduction import Capacities, check_conduction, thermal_loads
+from core_models.conduction import Capacities, check_conduction, held_temperature, thermal_loads
 from core_models.geometry import Geometry
 from core_models.loads import Load, at_time
 from core_models.points import MaterialPoints
@@ -166,7 +166,7 @@ class Conduction:
         faces = [surface.points(positions, deformation_gradient) for _, surface in self._held]
         particles = np.concatenate([surface.particles for _, surface in self._held])
         wanted = np.repeat(
-            [at_time(load.temperature, time) for load, _ in self._held], [len(places) for places in faces]
+            [held_temperature(load, time) for load, _ in self._held], [len(places) for places in faces]
         )
         places = np.concatenate(faces)
         at_faces, at_particles = background.anchors(places), background.anchors(positions[particles])

@@ -7,7 +7,7 @@ import numpy as np
 from core_models.compilation import CHUNK
 from core_models.errors import RunFailure
 from core_models.geometry import axis_names
-from core_models.loads import at_time
+from core_models.load_checks import damping_rate
 from core_models.redo import VANISHING_STEP, redoing, step_within
 from mpm.contact import Push
 from mpm.grid import RECORD, VELOCITY
@@ -73,7 +73,7 @@ class Stepping:
         """Move the grid, the particles and the points by dt; nothing of it lasts unless all of it works."""
         background, points, transfer = self._background, self.points, self._transfer
         kick = 0.5 * (self._last_step + dt)
-        keep = math.exp(-kick * at_time(self._damping.rate, self.time)) if self._damping else 1.0
+        keep = math.exp(-kick * damping_rate(self._damping, self.time))
         background.accelerate(kick, keep)
         hold, push = self._constrain(dt)
         second, size = (background.grid.nodes, RECORD) if transfer.keeps_velocity else (None, 0)

@@ -15,8 +15,8 @@ POINTS_OF_ONE = {2: 4.0, 3: 2.0 * pi}  # points of a body as long as wide, one e
 BYTES_PER_POINT = 1000  # state, kinematics and output of one point, roughly
 
 
-def bar_mesh(scene: Scene, resolution: int, kind: str = "quad4") -> Mesh:
-    """The user's own mesh, or the cylinder with `resolution` elements across the radius.
+def bar_mesh(scene: Scene, resolution: int, kind: str = "quad4", per_cell: int = 1) -> Mesh:
+    """The user's own mesh, or the cylinder with `resolution` times `per_cell` elements across the radius.
 
     kind : of the elements; a 3-D kind gives a quarter of the cylinder. Raises SceneError for too many of them, or for
     another kind than that of the user's own mesh.
@@ -30,7 +30,7 @@ def bar_mesh(scene: Scene, resolution: int, kind: str = "quad4") -> Mesh:
             )
         return mesh
     bar = scene.bar
-    number = check_resolution(scene, resolution, find_kind(kind).dimension)
+    number = per_cell * check_resolution(scene, resolution, find_kind(kind).dimension, per_cell)
     if find_kind(kind).dimension == 3:
         from meshes.taylor_quarter import taylor_quarter
 
@@ -65,7 +65,7 @@ def own_resolution(scene: Scene) -> int:
     return len(own_mesh(scene).boundaries["foot"])
 
 
-def check_resolution(scene: Scene, resolution: int, dimension: int = 2) -> int:
+def check_resolution(scene: Scene, resolution: int, dimension: int = 2, per_cell: int = 1) -> int:
     """A resolution of at least two elements or cells across the radius whose points fit in memory.
 
     Raises SceneError, before anything of that size is made.
@@ -76,7 +76,7 @@ def check_resolution(scene: Scene, resolution: int, dimension: int = 2) -> int:
         raise SceneError(f"resolution {resolution!r} is no whole number; give one like 8") from error
     if number < 2:
         raise SceneError(f"resolution {number} leaves no usable cell across the radius; give 2 or more")
-    points_of_one = POINTS_OF_ONE[dimension] * scene.bar.length / scene.bar.radius
+    points_of_one = POINTS_OF_ONE[dimension] * per_cell**dimension * scene.bar.length / scene.bar.radius
     largest = int((MOST_POINTS / points_of_one) ** (1.0 / dimension))
     if number > largest:
         points = points_of_one * number**dimension

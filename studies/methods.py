@@ -44,7 +44,7 @@ def resolutions_of(scene: Scene, method: str) -> tuple[int, ...]:
 def check_run(scene: Scene, method: str, resolution: int) -> None:
     """Refuse, before anything is written, a method or resolution that cannot be run; raises SceneError."""
     variant = read_variant(method)
-    check_resolution(scene, resolution, 3 if variant.is_spatial else 2)
+    check_resolution(scene, resolution, 3 if variant.is_spatial else 2, variant.elements_per_cell)
     if scene.mesh is not None and variant.solver == "fem-explicit" and resolution != own_resolution(scene):
         raise SceneError(
             f"{scene.mesh}: has {own_resolution(scene)} elements across the radius, not {resolution}; "
@@ -67,7 +67,7 @@ def build_solver(scene: Scene, method: str, resolution: int, wall: str, threads:
     """The solver for one run, at time zero."""
     check_run(scene, method, resolution)
     variant = read_variant(method)
-    mesh = bar_mesh(scene, resolution, variant.kind)
+    mesh = bar_mesh(scene, resolution, variant.kind, variant.elements_per_cell)
     common = {
         **variant.options,
         "loads": (Symmetry("symmetry_x"), Symmetry("symmetry_y")) if variant.is_spatial else (),

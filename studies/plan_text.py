@@ -81,7 +81,7 @@ def _run_rows(
     rows = [["run", "points", "smallest edge mm", "steps to the latest end, some"]]
     for method, resolution in planned_runs(scene, methods, resolutions):
         variant = read_variant(method)
-        mesh = bar_mesh(scene, resolution, variant.kind)
+        mesh = bar_mesh(scene, resolution, variant.kind, variant.elements_per_cell)
         is_grid = variant.solver == "mpm"
         edge = scene.bar.radius / resolution if is_grid else float(edge_lengths(mesh).min())
         steps = scene.end.limit(wall) * _wave_speed(scene) / (COURANT[variant.solver] * edge)

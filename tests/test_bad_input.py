@@ -5,9 +5,20 @@ import pytest
 
 from core_models.agreement import Agreement
 from core_models.bulk_viscosity import BulkViscosity
+from core_models.conduction import held_temperature
 from core_models.errors import MatpointError, SceneError
 from core_models.geometry import PlaneStrain
-from core_models.loads import BodyForce, Damping, Fixed, Prescribed, Pressure, Symmetry, Traction
+from core_models.load_checks import damping_rate
+from core_models.loads import (
+    BodyForce,
+    Damping,
+    Fixed,
+    FixedTemperature,
+    Prescribed,
+    Pressure,
+    Symmetry,
+    Traction,
+)
 from core_models.redo import step_within
 from meshes.block import block
 from tests.conftest import CELL
@@ -102,6 +113,19 @@ def test_supports_that_contradict_each_other_later_are_refused_then(build, elast
             solver.advance()
     same = (Prescribed("left", 0, lambda x, t: 3.0 * t), Prescribed("bottom", 0, lambda x, t: t + 2.0 * t))
     Agreement(same, mesh, PlaneStrain()).check(0.7)
+
+
+def test_values_that_become_impossible_later_are_refused_then():
+    """A damping below 0 and a temperature that is not above 0 K, of functions that are fine at the start."""
+
+    def later(time):
+        return 1.0 if time == 0.0 else -1.0
+
+    assert damping_rate(Damping(later), 0.0) == 1.0
+    with pytest.raises(SceneError, match="rate = -1 1/s at t = 0.5 s is out of range"):
+        damping_rate(Damping(later), 0.5)
+    with pytest.raises(SceneError, match="FixedTemperature on 'top' at t = 0.5 s = -1.0 K is out of range"):
+        held_temperature(FixedTemperature("top", later), 0.5)
 
 
 @pytest.mark.parametrize("remaining", [np.nan, 0.0, -1.0])

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from studies.report.study_page import Report, Section
 from studies.verification.outcome import Curve, Plot, Table
 from studies.work_precision.analysis import (
+    EXTRAPOLATED,
     LEVELS,
     RESOLVABLE,
     Reach,
@@ -68,9 +69,11 @@ def reach_table(runs: list[Measurement], quantity: str, reference: Reference) ->
     found = {
         name: [reach(group, quantity, reference, level) for level in LEVELS] for name, group in groups.items()
     }
+    known = [
+        [time for time in times if time.how != EXTRAPOLATED] for times in zip(*found.values(), strict=True)
+    ]
     fastest = [
-        min((times[k].seconds for times in found.values() if times[k].seconds is not None), default=None)
-        for k in range(len(LEVELS))
+        min((time.seconds for time in times if time.seconds is not None), default=None) for times in known
     ]
     rows = [
         (name, *(_reach_text(time, fastest[k]) for k, time in enumerate(times)))
@@ -79,7 +82,8 @@ def reach_table(runs: list[Measurement], quantity: str, reference: Reference) ->
     head = ("variant", *(f"{PERCENT * level:g} % [s]" for level in LEVELS))
     note = (
         f"Reference: {_reference_text(reference)}. Interpolated between runs; ≤: the coarsest run has it already; "
-        f"~: extrapolated; not resolvable: below {RESOLVABLE:g} times the reference's uncertainty; *: the fastest."
+        f"~: extrapolated; not resolvable: below {RESOLVABLE:g} times the reference's uncertainty; "
+        "*: the fastest that is not extrapolated."
     )
     return Table("Processor seconds", head, tuple(rows), note)
 
@@ -88,7 +92,7 @@ def _reach_text(time: Reach, fastest: float | None) -> str:
     if time.seconds is None:
         return time.how
     mark = {"measured": "≤ ", "extrapolated": "~ "}.get(time.how, "")
-    star = " *" if fastest is not None and time.seconds == fastest else ""
+    star = " *" if time.how != EXTRAPOLATED and time.seconds == fastest else ""
     return f"{mark}{time.seconds:.2g}{star}"
 
 

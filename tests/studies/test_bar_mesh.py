@@ -7,8 +7,9 @@ import pytest
 from core_models.errors import MeshError, SceneError
 from meshes.io import write_mesh
 from meshes.taylor_bar import taylor_bar
+from meshes.taylor_quarter import taylor_quarter
 from studies.bar_mesh import bar_mesh
-from studies.methods import check_run, resolutions_of
+from studies.methods import build_solver, check_run, resolutions_of
 from studies.running import run
 from studies.scene_reader import read_scene
 
@@ -44,6 +45,13 @@ def test_an_own_mesh_of_another_kind_needs_its_name(classic, tmp_path):
     assert bar_mesh(scene, 4, "tri3").kind == "tri3"
     with pytest.raises(SceneError, match="fem-explicit:tri3"):
         bar_mesh(scene, 4)
+
+
+def test_particles_in_space_are_four_along_the_edge_of_a_cell(classic):
+    """A foot that spreads in two directions is still sampled in every cell; in axial symmetry two are enough."""
+    spatial, planar = (build_solver(classic, method, 2, "plane", 1) for method in ("mpm:spatial", "mpm"))
+    assert spatial.points.n == 8 * len(taylor_quarter(3.2e-3, 32.4e-3, 4).cells)
+    assert planar.points.n == 4 * len(taylor_bar(3.2e-3, 32.4e-3, 2).cells)
 
 
 def test_a_run_keeps_the_mesh_beside_its_scene(fake_solvers, classic, tmp_path):

@@ -100,7 +100,7 @@ def test_the_table_stars_the_fastest_of_each_level():
     """One star a column at most, at the variant that is twice as fast."""
     table = reach_table([*sequence("quick"), *sequence("slow", seconds=2e-3)], "u", EXACT)
     rows = {row[0]: row[1:] for row in table.rows}
-    assert all(cell.endswith("*") for cell in rows["quick"] if cell != NOT_REACHED)
+    assert all(cell.endswith("*") for cell in rows["quick"] if cell != NOT_REACHED and "~" not in cell)
     assert not any(cell.endswith("*") for cell in rows["slow"])
 
 
