@@ -1,5 +1,6 @@
 """Anisotropic elasticity: constants recovered, axes, isotropic limit, energy, tangent, wave speed, cards, refusals."""
 
+from contextlib import nullcontext
 from dataclasses import replace
 
 import numpy as np
@@ -15,9 +16,12 @@ from core_models.elasticity.orthotropic import OrthotropicElastic
 from core_models.elasticity.stiffness import largest_modulus
 from core_models.elasticity.transversely_isotropic import TransverselyIsotropicElastic
 from core_models.errors import CardError, MaterialError
+from core_models.geometry import GEOMETRIES
 from core_models.laws import elastic_moduli, stiffness
 from core_models.material import Material
+from core_models.plane_symmetry import check_plane
 from core_models.points import MaterialPoints
+from core_models.updates.fibre_reinforced import FibreReinforced
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
 from tests.core_models.test_general_tangent import first_piola, plain  # noqa: F401
@@ -226,3 +230,31 @@ def test_what_does_not_go_with_anisotropy_is_refused():
     hypoelastic.find("constitutive_model").set("type", "hypoelastic_plastic")
     with pytest.raises(MaterialError, match="take the update st_venant_kirchhoff"):
         parse_material(hypoelastic)
+
+
+@pytest.mark.parametrize(
+    ("update", "law", "fits"),
+    [
+        (
+            StVenantKirchhoff(),
+            turned(PLY, np.array([[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]])),
+            True,
+        ),
+        (StVenantKirchhoff(), LAWS[0], False),
+        (StVenantKirchhoff(), COPPER._replace(axis_1=(1.0, 1.0, 0.0), axis_2=(0.0, 0.0, 3.0)), True),
+        (StVenantKirchhoff(), COPPER._replace(axis_1=(1.0, 0.0, 1.0), axis_2=(1.0, 0.0, -1.0)), True),
+        (StVenantKirchhoff(), COPPER._replace(axis_1=(2.0, 0.0, 1.0), axis_2=Y), False),
+        (StVenantKirchhoff(), FIBRES._replace(axis=Z), True),
+        (StVenantKirchhoff(), FIBRES._replace(axis=(0.0, 1.0, 1.0)), False),
+        (StVenantKirchhoff(), LAWS[3], True),
+        (FibreReinforced(1e9, 1.0, (1.0, 2.0, 0.0)), LAWS[3], True),
+        (FibreReinforced(1e9, 1.0, (1.0, 0.0, 1.0)), LAWS[3], False),
+    ],
+)
+def test_a_plane_mesh_lies_in_a_plane_of_symmetry(update, law, fits):
+    """Laws that would shear out of the plane are refused there, and not in space."""
+    material = Material("crystal", 1600.0, update, law)
+    check_plane(material, GEOMETRIES["spatial"])
+    for name in ("axisymmetric", "plane-strain"):
+        with nullcontext() if fits else pytest.raises(MaterialError, match="normal to the plane"):
+            check_plane(material, GEOMETRIES[name])
