@@ -7,6 +7,9 @@ from core_models.damage.gurson import VoidNucleation
 from core_models.damage.hancock_mackenzie import HancockMackenzieDamage
 from core_models.damage.johnson_cook import JohnsonCookDamage
 from core_models.damage.sandia import SandiaDamage
+from core_models.elasticity.cubic import CubicElastic
+from core_models.elasticity.orthotropic import OrthotropicElastic
+from core_models.elasticity.transversely_isotropic import TransverselyIsotropicElastic
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
@@ -25,6 +28,7 @@ from core_models.updates.fibre_reinforced import FibreReinforced
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.updates.orthotropic import Orthotropic
+from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
 from core_models.yield_condition.drucker_prager import DruckerPrager
 from core_models.yield_condition.gurson import Gurson
 from core_models.yield_condition.mohr_coulomb import MohrCoulomb
@@ -33,7 +37,8 @@ from core_models.yield_condition.von_mises import VonMises
 PRESENT = (tuple,)  # any law
 ABSENT = (type(None),)
 SPLIT_UPDATES = (HypoelasticPlastic, HyperelasticPlastic)
-WHOLE_UPDATES = (CompressibleNeoHookean, FibreReinforced, Orthotropic)
+WHOLE_UPDATES = (CompressibleNeoHookean, FibreReinforced, Orthotropic, StVenantKirchhoff)
+ANISOTROPIC = (CubicElastic, OrthotropicElastic, TransverselyIsotropicElastic)
 SLOTS_OF_A_SPLIT = (
     "eos", "flow", "yield_condition", "shear_modulus", "kinematic_hardening", "damage", "melting", "heating",
     "stability", "erosion", "objective_rate", "expansion",
@@ -62,6 +67,14 @@ class Clash(NamedTuple):
 
 
 CLASHES = (
+    Clash(
+        "update",
+        (*SPLIT_UPDATES, CompressibleNeoHookean, FibreReinforced, Orthotropic),
+        "elasticity",
+        ANISOTROPIC,
+        "an anisotropic stiffness is more than the bulk and the shear modulus that this update knows",
+        "take the update st_venant_kirchhoff, or give <bulk_modulus> and <shear_modulus>",
+    ),
     *(
         Clash(
             "update",

@@ -12,7 +12,12 @@ from core_models.status import OK
 
 @generic
 def elastic_moduli(elasticity):
-    """Bulk and shear modulus (K, G) [Pa] of an elasticity law."""
+    """Bulk and shear modulus (K, G) [Pa] of an elasticity law, averaged over all directions if it knows several."""
+
+
+@generic
+def stiffness(elasticity):
+    """The constants and axes of an elasticity law as a `Stiffness` (core_models.elasticity.stiffness)."""
 
 
 @generic

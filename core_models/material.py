@@ -35,6 +35,7 @@ from core_models.updates.general_problem import return_stress
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.updates.orthotropic import Orthotropic
+from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
 from core_models.yield_condition.von_mises import VonMises
 
 SLOTS = {
@@ -66,8 +67,8 @@ class Material:
     Parameters
     ----------
     name : for messages and reports. density : reference density rho_0 [kg/m^3].
-    update : HypoelasticPlastic or HyperelasticPlastic; CompressibleNeoHookean, FibreReinforced and Orthotropic
-    take nothing but an elasticity.
+    update : HypoelasticPlastic or HyperelasticPlastic; CompressibleNeoHookean, FibreReinforced, Orthotropic
+    and StVenantKirchhoff take nothing but an elasticity, only the last one that is anisotropic.
     The other slots : laws of core_models.<slot>; all but eos and elasticity may be left out.
     room_temperature : initial temperature unless a body gives its own [K].
     thermal_conductivity : k [W/(m K)], > 0, or None.
@@ -82,7 +83,14 @@ class Material:
 
     name: str
     density: float
-    update: HypoelasticPlastic | HyperelasticPlastic | CompressibleNeoHookean | FibreReinforced | Orthotropic
+    update: (
+        HypoelasticPlastic
+        | HyperelasticPlastic
+        | CompressibleNeoHookean
+        | FibreReinforced
+        | Orthotropic
+        | StVenantKirchhoff
+    )
     elasticity: Any
     eos: Any = None
     flow: Any = None

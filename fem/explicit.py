@@ -17,6 +17,7 @@ from core_models.ledger import EnergyLedger
 from core_models.load_checks import check_loads, damping_of, damping_rate
 from core_models.loads import Load
 from core_models.material import Material
+from core_models.plane_symmetry import check_plane
 from core_models.points import MaterialPoints, PointFailure
 from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.threads import Threads
@@ -84,6 +85,7 @@ class ExplicitSolver(Restartable, Readout):
         check_between("safety", safety, 0.0, 1.0)
         check_between("hourglass", hourglass, 0.0, 1.0)
         self.geometry = find_geometry(geometry, mesh.dimension)
+        check_plane(material, self.geometry)
         self.mesh = axisymmetric(mesh) if geometry in (None, "axisymmetric") and mesh.dimension == 2 else mesh
         self._agreement = check_loads(loads, self.mesh, self.geometry, conduction=conduction)
         self.material, self.wall, self.safety = material, as_wall(wall), safety

@@ -15,6 +15,7 @@ from core_models.ledger import EnergyLedger
 from core_models.load_checks import check_loads, damping_of
 from core_models.loads import Load, Symmetry
 from core_models.material import Material
+from core_models.plane_symmetry import check_plane
 from core_models.threads import Threads
 from core_models.walls import Wall, as_wall, check_above
 from meshes.axisymmetric import axisymmetric
@@ -103,6 +104,7 @@ class Solver(Stepping, Books, Readout, Restartable, Body):
         check_between("cell_size", cell_size, 0.0, math.inf, "m")
         self.cfl = check_between("cfl", cfl, 0.0, 1.0)
         kind = find_geometry(geometry, mesh.dimension)
+        check_plane(material, kind)
         mesh = axisymmetric(mesh) if isinstance(kind, Axisymmetric) else mesh
         wall = as_wall(wall)
         self._agreement = check_loads(loads, mesh, kind, conduction=conduction)

@@ -2,7 +2,7 @@
 
 from math import sqrt
 
-from core_models.laws import melting_temperature
+from core_models.laws import elastic_moduli, melting_temperature
 from core_models.material import Material
 from core_models.walls import check_wall
 from fem.elements import FULL, find_element, points_of
@@ -98,5 +98,5 @@ def _rough(count: float) -> int:
 
 
 def _wave_speed(scene: Scene) -> float:
-    elastic = scene.material.elasticity
-    return sqrt((elastic.bulk_modulus + 4.0 / 3.0 * elastic.shear_modulus) / scene.material.density)
+    bulk, shear = elastic_moduli(scene.material.elasticity)
+    return sqrt((bulk + 4.0 / 3.0 * shear) / scene.material.density)

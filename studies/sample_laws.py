@@ -5,7 +5,10 @@ from core_models.damage.gurson import VoidNucleation
 from core_models.damage.hancock_mackenzie import HancockMackenzieDamage
 from core_models.damage.johnson_cook import JohnsonCookDamage
 from core_models.damage.sandia import SandiaDamage
+from core_models.elasticity.cubic import CubicElastic
 from core_models.elasticity.isotropic import IsotropicElastic
+from core_models.elasticity.orthotropic import OrthotropicElastic
+from core_models.elasticity.transversely_isotropic import TransverselyIsotropicElastic
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
@@ -51,6 +54,7 @@ from core_models.updates.fibre_reinforced import FibreReinforced
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.updates.orthotropic import Orthotropic
+from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
 from core_models.yield_condition.drucker_prager import DruckerPrager
 from core_models.yield_condition.gurson import Gurson
 from core_models.yield_condition.mohr_coulomb import MohrCoulomb
@@ -72,8 +76,16 @@ SAMPLES = {
         Orthotropic(
             168e9, 172e9, 164e9, 121e9, 123e9, 119e9, 60e9, 58e9, 63e9, (1.0, 1.0, 0.0), (-1.0, 1.0, 0.0)
         ),
+        StVenantKirchhoff(),
     ],
-    "elasticity": [IsotropicElastic(BULK, SHEAR)],
+    "elasticity": [
+        IsotropicElastic(BULK, SHEAR),
+        CubicElastic(168.4e9, 121.4e9, 75.4e9, (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
+        TransverselyIsotropicElastic(140e9, 10e9, 0.3, 0.4, 5e9, (0.0, 1.0, 0.0)),
+        OrthotropicElastic(
+            140e9, 10e9, 8e9, 0.3, 0.4, 0.3, 5e9, 3e9, 4e9, (1.0, 1.0, 0.0), (-1.0, 1.0, 0.0)
+        ),
+    ],
     "objective_rate": [Logarithmic(), Jaumann()],
     "eos": [DefaultHypoelastic(BULK), NeoHookean(BULK), MieGruneisen(DENSITY, 3940.0, 2.02, 1.489)],
     "flow": [

@@ -7,6 +7,7 @@ from pathlib import Path
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.conduction import check_conduction
 from core_models.errors import SceneError
+from core_models.laws import elastic_moduli
 from core_models.material import Material
 from core_models.walls import UNILATERAL, Wall
 
@@ -118,7 +119,6 @@ class Scene:
     @property
     def axial_period(self) -> float:
         """Time of an elastic wave along the undeformed bar and back [s]: 2 L0 / sqrt(E / rho)."""
-        elastic = self.material.elasticity
-        bulk, shear = elastic.bulk_modulus, elastic.shear_modulus
+        bulk, shear = elastic_moduli(self.material.elasticity)
         young = 9.0 * bulk * shear / (3.0 * bulk + shear)
         return 2.0 * self.bar.length / sqrt(young / self.material.density)

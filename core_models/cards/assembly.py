@@ -36,8 +36,9 @@ class Blocks(NamedTuple):
 def assembled_laws(blocks: Blocks, update: tuple, card: Numbers) -> dict[str, Any]:
     """The fields of the Material, except its name; `card` holds the plain numbers of both blocks."""
     fields: dict[str, Any] = {"density": card["density"], "update": update}
-    fields["elasticity"] = IsotropicElastic(card["bulk_modulus"], card["shear_modulus"])
     constants, laws = _constants(card), _laws_given(blocks, card)
+    if "elasticity" not in laws:
+        fields["elasticity"] = IsotropicElastic(card["bulk_modulus"], card["shear_modulus"])
     fields |= constants | {
         slot: law for slot, law in laws.items() if law is not None or slot not in constants
     }
@@ -78,7 +79,7 @@ def _constants(card: Numbers) -> dict[str, Any]:
 
 
 def _default_eos(blocks: Blocks, update: tuple, card: Numbers) -> tuple | None:
-    if isinstance(update, WHOLE_UPDATES):
+    if isinstance(update, WHOLE_UPDATES) or "bulk_modulus" not in card:
         return None
     law = DefaultHypoelastic if isinstance(update, HypoelasticPlastic) else NeoHookean
     log.info("%s: no <equation_of_state>: %s is used", origin(blocks.model), law.__name__)

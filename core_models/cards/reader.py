@@ -17,6 +17,7 @@ from core_models.cards.origins import origin, refusal
 from core_models.errors import MaterialError
 from core_models.material import Material
 from core_models.schema import (
+    ANISOTROPY,
     CONSTANTS,
     DEAD_MODEL_TAGS,
     DEAD_TAGS,
@@ -135,7 +136,7 @@ def _material(blocks: Blocks, name: str) -> Material:
         if switch.tag in blocks.inner:
             check_switch(blocks.inner[switch.tag], switch)
     settings = read_numbers(blocks.model, update.parameters, blocks.inner, {})
-    moduli = read_numbers(blocks.model, ELASTICITY, blocks.inner, {})
+    moduli = _moduli(blocks)
     laws = assembled_laws(blocks, update.law(**settings), constants | moduli)
     try:
         return Material(name=name, **laws, origins=_origins(blocks))
@@ -146,3 +147,18 @@ def _material(blocks: Blocks, name: str) -> Material:
             "correct the numbers of the flow law or room_temp",
             MaterialError,
         ) from error
+
+
+def _moduli(blocks: Blocks) -> dict[str, float]:
+    """The two moduli of isotropic elasticity; none where a block states another one."""
+    tag = ANISOTROPY.tags[0]
+    if tag not in blocks.inner:
+        return read_numbers(blocks.model, ELASTICITY, blocks.inner, {})
+    for parameter in ELASTICITY:
+        if parameter.tag in blocks.inner:
+            raise refusal(
+                blocks.inner[parameter.tag],
+                f"<{parameter.tag}> stands beside an <{tag}>",
+                "delete one of them",
+            )
+    return {}

@@ -8,6 +8,7 @@ from lxml import etree
 
 from core_models.atomic import replacing
 from core_models.cards.reader import parse_material
+from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.errors import MaterialError, MatpointError
 from core_models.material import Material
 from core_models.melting.constant import ConstantMelting
@@ -90,7 +91,7 @@ def _add_law(
     block: etree._Element, slot: SlotSchema, law: tuple | None, card: Mapping[str, float | None]
 ) -> None:
     """A block that states the law, or that there is none; nothing where its absence or a plain tag says so."""
-    if law is None or type(law) in (ConstantMelting, ConstantSpecificHeat):
+    if law is None or type(law) in (IsotropicElastic, ConstantMelting, ConstantSpecificHeat):
         if slot.plain and slot.absent != slot.plain[0]:
             etree.SubElement(block, slot.tags[0], {slot.attribute: slot.plain[0]})
         return

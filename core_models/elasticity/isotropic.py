@@ -2,8 +2,10 @@
 
 from typing import NamedTuple, Self
 
+from core_models.elasticity.stiffness import Stiffness
 from core_models.errors import MaterialError
-from core_models.laws import elastic_moduli
+from core_models.laws import elastic_moduli, stiffness
+from core_models.tensors import IDENTITY
 
 
 class IsotropicElastic(NamedTuple):
@@ -15,7 +17,8 @@ class IsotropicElastic(NamedTuple):
 
     In the hypoelastic update e is the unrotated elastic strain (rate form), in the hyperelastic one the deviator of
     the isochoric elastic left Cauchy-Green tensor (Simo & Hughes, Computational Inelasticity, 1998, ch. 9). The
-    compressible neo-Hookean law takes the two moduli alone.
+    compressible neo-Hookean law takes the two moduli alone; St. Venant-Kirchhoff elasticity has
+    S = (K - 2 G / 3) tr(E) 1 + 2 G E.
     """
 
     bulk_modulus: float
@@ -40,3 +43,11 @@ class IsotropicElastic(NamedTuple):
 @elastic_moduli.register(IsotropicElastic)
 def _(elasticity):
     return elasticity.bulk_modulus, elasticity.shear_modulus
+
+
+@stiffness.register(IsotropicElastic)
+def _(elasticity):
+    bulk, shear = elasticity.bulk_modulus, elasticity.shear_modulus
+    lame = bulk - 2.0 / 3.0 * shear
+    direct = lame + 2.0 * shear
+    return Stiffness((direct, direct, direct, lame, lame, lame), (shear, shear, shear), IDENTITY)

@@ -1,5 +1,6 @@
 """The declarative schema of material cards: what is read, checked, written and listed."""
 
+from core_models.schema.elasticity import ANISOTROPY
 from core_models.schema.entries import (
     ANY,
     ANY_NUMBER_OF,
@@ -30,6 +31,7 @@ from core_models.schema.registration import register_model
 from core_models.schema.slots import SLOTS, UPDATE
 
 __all__ = [
+    "ANISOTROPY",
     "ANY",
     "ANY_NUMBER_OF",
     "BODY",

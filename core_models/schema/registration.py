@@ -13,8 +13,8 @@ def register_model(slot: str, model: ModelSchema) -> None:
 
     Parameters
     ----------
-    slot : 'flow', 'eos', 'yield_condition', 'kinematic_hardening', 'heating', 'damage', 'erosion', 'shear_modulus',
-    'melting' or 'specific_heat'.
+    slot : 'flow', 'elasticity', 'eos', 'yield_condition', 'kinematic_hardening', 'heating', 'damage', 'erosion',
+    'shear_modulus', 'melting' or 'specific_heat'.
     model : type names in a card, class, help, and one `Parameter` for each field of the class.
 
     Registering the same schema again does nothing.

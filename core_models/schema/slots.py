@@ -11,6 +11,7 @@ from core_models.heating.taylor_quinney import TaylorQuinney
 from core_models.objective_rate.jaumann import Jaumann
 from core_models.objective_rate.logarithmic import Logarithmic
 from core_models.schema.damage import DAMAGE, EROSION
+from core_models.schema.elasticity import ANISOTROPY
 from core_models.schema.entries import (
     ANY,
     NOT_NEGATIVE,
@@ -33,6 +34,7 @@ from core_models.updates.fibre_reinforced import FibreReinforced
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.updates.orthotropic import Orthotropic
+from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
 
 UPDATE = SlotSchema(
     slot="update",
@@ -86,6 +88,11 @@ UPDATE = SlotSchema(
                     for i in (1, 2)
                 ),
             ),
+        ),
+        ModelSchema(
+            types=("st_venant_kirchhoff",),
+            law=StVenantKirchhoff,
+            help="elastic: S = C : E, isotropic or with an <elasticity_model>, without equation of state",
         ),
     ),
     unavailable=(
@@ -204,6 +211,7 @@ STABILITY = SlotSchema(
 
 SLOTS = (
     UPDATE,
+    ANISOTROPY,
     OBJECTIVE_RATE,
     EOS,
     FLOW,

@@ -1,1 +1,1 @@
-"""Stress updates: hypoelastic-plastic, hyperelastic-plastic, and compressible neo-Hookean elasticity."""
+"""Stress updates: hypoelastic-plastic, hyperelastic-plastic, and elasticity alone."""

@@ -12,6 +12,7 @@ from core_models.updates import (  # noqa: F401
     hypoelastic_tangent,
     neo_hookean_tangent,
     orthotropic_tangent,
+    st_venant_kirchhoff_tangent,
 )
 from core_models.updates.balance import get_balance
 from core_models.updates.tangent import linearise_rows

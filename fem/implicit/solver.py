@@ -19,6 +19,7 @@ from core_models.ledger import EnergyLedger
 from core_models.load_checks import check_loads
 from core_models.loads import Damping, Load
 from core_models.material import Material
+from core_models.plane_symmetry import check_plane
 from core_models.points import MaterialPoints, PointFailure
 from core_models.redo import step_within
 from core_models.threads import Threads
@@ -82,6 +83,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
         if temperature is not None:
             check_between("temperature", temperature, 0.0, math.inf, "K")
         self.geometry = find_geometry(geometry, mesh.dimension)
+        check_plane(material, self.geometry)
         self.mesh = axisymmetric(mesh) if geometry in (None, "axisymmetric") and mesh.dimension == 2 else mesh
         check_loads(loads, self.mesh, self.geometry)
         if any(isinstance(load, Damping) for load in loads):
