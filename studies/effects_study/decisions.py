@@ -31,7 +31,7 @@ class Decision:
     @property
     def wanted(self) -> bool | None:
         """Whether the number asks for the effect; None where it cannot tell."""
-        return None if self.number is None else self.number >= self.threshold
+        return None if self.number is None else bool(self.number >= self.threshold)
 
 
 def decisions(scene: Scene, wall: str) -> list[Decision]:
