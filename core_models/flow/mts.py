@@ -68,6 +68,7 @@ class MechanicalThreshold(NamedTuple):
 LOWEST_RATE = 1e-7  # 1/s
 LOWEST_TEMPERATURE = 1.0  # K
 LARGEST_SUBSTEP = 1e-3  # of plastic strain; the midpoint rule then errs by some 1e-6 of the threshold
+MOST_SUBSTEPS = 2000.0  # so that strains that only an iteration tries take no longer than those of a step
 LARGEST_EXPONENT = 20.0  # of sigma_es / sigma_es0 and of mu(T): far beyond it neither has a meaning
 
 
@@ -167,7 +168,7 @@ def _(flow, hardening_variable, strain_increment, plastic_rate, temperature):
     rate = max(plastic_rate, LOWEST_RATE)
     theta = _initial_hardening(flow, rate, temperature)
     saturation = _saturation(flow, rate, temperature, _varshni_modulus(flow, temperature))
-    substeps = 1 + int(strain_increment / LARGEST_SUBSTEP)
+    substeps = 1 + int(min(MOST_SUBSTEPS, strain_increment / LARGEST_SUBSTEP))
     share = 1.0 / substeps
     h = strain_increment * share
     threshold, by_increment, by_rate = hardening_variable, 0.0, 0.0
@@ -180,6 +181,9 @@ def _(flow, hardening_variable, strain_increment, plastic_rate, temperature):
         threshold += h * slope
         by_increment += share * slope + h * slope_threshold * middle_by_increment
         by_rate += h * (slope_threshold * middle_by_rate + slope_rate)
+        # Where recovery is faster than a substep resolves, the rule would go past 0, which the threshold cannot.
+        if threshold < 0.0:
+            threshold, by_increment, by_rate = 0.0, 0.0, 0.0
     if plastic_rate <= LOWEST_RATE:
         by_rate = 0.0
     return threshold, by_increment, by_rate

@@ -24,7 +24,7 @@ MAXIMUM_ITERATIONS = 60
 BISECTIONS = 40
 ATTEMPTS = 20
 HALVINGS = 20
-OPEN, CLOSED = 1, 2  # regimes: voids, voids that pressure has closed
+OPEN, CLOSED, POWERLESS = 1, 2, 3  # regimes: voids, voids that pressure has closed, a matrix without strength
 LARGEST_PART = 0.99  # of the porosity at which nothing carries: what f* is held at, so that a surface remains
 LARGEST_ARGUMENT = 30.0  # of cosh
 
@@ -124,7 +124,7 @@ def _(yield_condition, model, flow, problem, rows, k):
     stress, bulk = mean_stress(model.eos, problem, problem.volume)
     mises = equivalent_stress(problem.trial)
     start = strength(flow, problem, 0.0).stress
-    if yield_function(yield_condition, mises, stress, start, problem.porosity)[0] <= 0.0:
+    if start > 0.0 and yield_function(yield_condition, mises, stress, start, problem.porosity)[0] <= 0.0:
         return unchanged(problem, stress, bulk)
     return _search(yield_condition, model, flow, problem, mises)
 
@@ -135,6 +135,8 @@ def _search(law, model, flow, problem, mises):
     # Laws that feel a rate are stronger than at none: what they have if all of the trial flows is a good start.
     start = strength(flow, problem, 0.0).stress
     start = max(start, min(strength(flow, problem, mises / (3.0 * problem.shear)).stress, mises))
+    if not start > 0.0:
+        return _powerless(model, problem)
     porosity = problem.porosity
     now = _flowing(law, model, flow, problem, mises, (0.0, 0.0, 0.0))
     unknowns = (0.0, 0.0, 0.0)
@@ -156,6 +158,16 @@ def _search(law, model, flow, problem, mises):
     return Returned(
         status_of(has_converged), OPEN, scaled(problem.trial, factor), problem.volume - unknowns[1],
         now.mean_stress, now.bulk, unknowns[2], now.variable, now.porosity, 0.0,
+    )  # fmt: skip
+
+
+@beside_kernel
+def _powerless(model, problem):
+    """Return where the matrix has no strength, as above the melting temperature of its flow law: a fluid."""
+    stress, bulk = mean_stress(model.eos, problem, problem.volume)
+    return Returned(
+        status_of(True), POWERLESS, scaled(problem.trial, 0.0), problem.volume, stress, bulk, 0.0,
+        problem.hardening_variable, problem.porosity, 0.0,
     )  # fmt: skip
 
 
@@ -311,6 +323,8 @@ def matrix_vector(a, b):
 def _(yield_condition, model, flow, problem, returned, rows, k, trial, shear, mean, spin):
     if returned.regime == ELASTIC:
         return trial, mean
+    if returned.regime == POWERLESS:
+        return scaled(trial, 0.0), mean
     size, mises = equivalent_stress(problem.trial), equivalent_stress(returned.deviator)
     factor = mises / size if size > 0.0 else 1.0
     size_change = 1.5 * contract(problem.trial, trial) / size if size > 0.0 else 0.0

@@ -12,6 +12,7 @@ from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.neo_hookean import NeoHookean
 from core_models.errors import MaterialError
+from core_models.flow.johnson_cook import JohnsonCook
 from core_models.flow.linear import LinearHardening
 from core_models.flow.perfect import PerfectPlasticity
 from core_models.laws import nucleated
@@ -184,6 +185,25 @@ def test_the_tangent_is_the_derivative(update, strains):
     flow = LinearHardening(STRENGTH, 1e9)
     material = metal(update, TVERGAARD, VoidNucleation(0.02, 0.04, 0.02, 0.01), flow, tolerance=1e-14)
     assert mismatch(material, np.diag(strains)) <= 1e-6
+
+
+@pytest.mark.parametrize("update", UPDATES)
+def test_a_matrix_that_heat_has_left_without_strength_is_a_fluid(update):
+    """Above the T_m of its flow law, without a melting law, the body carries pressure alone and still can be led."""
+    hot = JohnsonCook(90e6, 292e6, 0.025, 0.31, 1.09, 1.0, 294.0, 1356.0)
+    body = metal(update, TVERGAARD, VoidNucleation(1e-3, 0.04, 0.3, 0.1), hot)
+    path = wild_path(3, 0.1)
+    history = drive(body, path, 1e-3, temperature=2000.0)
+    volume = np.linalg.det(path)
+    law = np.log(volume) if update == "hypo" else 0.5 * (volume - 1.0 / volume)
+    assert -history.pressure == pytest.approx(body.eos.bulk_modulus * law, rel=1e-9, abs=1.0)
+    assert history.mises == pytest.approx(0.0, abs=1.0)
+
+
+@pytest.mark.parametrize(("porosity", "value"), [(0.02, -0.113219), (0.08, 0.405263)])
+def test_yield_function_before_and_after_coalescence(porosity, value):
+    """At q = 0.9 sigma_y and a mean stress of half sigma_y."""
+    assert yield_function(TVERGAARD, 0.9, 0.5, 1.0, porosity)[0] == pytest.approx(value, abs=0.5e-6)
 
 
 def test_what_does_not_fit_is_refused():

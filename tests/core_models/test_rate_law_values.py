@@ -145,6 +145,15 @@ def test_threshold_law_with_intrinsic_barrier(stage_four, printed):
     assert_printed(flow_stress(law, threshold, 0.5, 1e3, 298.0)[0], printed)
 
 
+def test_strains_that_only_an_iteration_tries_cost_no_more_than_a_step():
+    """An absurd strain is answered at once, and with numbers."""
+    saturated = evolve_hardening(HY100._replace(theta_IV=0.0), 0.0, 2.0, 1e3, 298.0)[0]
+    for strain in (1e3, 1e12):
+        assert np.isfinite(
+            evolve_hardening(HY100._replace(theta_IV=0.0), saturated, strain, 1e3, 298.0)
+        ).all()
+
+
 def test_thermal_voce_is_voce_at_its_temperature():
     """At T_0 nothing has softened; the bracket is linear, and 0 from 500 K above."""
     cold = Voce(450e6, 715e6, 16.93, 129.24e6)

