@@ -9,7 +9,14 @@ from core_models.compilation import CHUNK
 from core_models.elasticity.stiffness import largest_modulus
 from core_models.errors import RunFailure, UnsupportedError
 from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points
-from core_models.laws import back_stress_count, pressure, stability_measure, stiffness, thermal_volume
+from core_models.laws import (
+    back_stress_count,
+    elastic_moduli,
+    pressure,
+    stability_measure,
+    stiffness,
+    thermal_volume,
+)
 from core_models.material import Material
 from core_models.nonlocal_average import NonlocalAverage
 from core_models.rows import make_workspace
@@ -19,6 +26,7 @@ from core_models.threads import Threads
 from core_models.updates.continuing_tangent import continuing_tangents
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
 from core_models.updates.tangent_kernel import linearise_points
 
 UNITS = {
@@ -267,7 +275,12 @@ def thermal_stress(material: Material, temperature: float) -> float:
 
 def initial_wave_speed(material: Material) -> float:
     """Longitudinal wave speed of the unstressed material [m/s]."""
-    if material.eos is None:
+    if isinstance(material.update, StVenantKirchhoff):
         return float(np.sqrt(largest_modulus(stiffness(material.elasticity)) / material.density))
-    bulk, shear = pressure(material.eos, 1.0, 0.0)[1], material.shear_at_rest(material.room_temperature)
+    shear = material.shear_at_rest(material.room_temperature)
+    bulk = (
+        elastic_moduli(material.elasticity)[0]
+        if material.eos is None
+        else pressure(material.eos, 1.0, 0.0)[1]
+    )
     return float(np.sqrt((bulk + 4.0 / 3.0 * shear) / material.density))
