@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from core_models.arguments import check_between
-from core_models.body_checks import check_body
+from core_models.body_checks import check_body, check_orientation
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.errors import UnsupportedError
 from core_models.geometry import find_geometry
@@ -84,6 +84,7 @@ class ExplicitSolver(Restartable, Readout):
         check_between("safety", safety, 0.0, 1.0)
         check_between("hourglass", hourglass, 0.0, 1.0)
         self.geometry = find_geometry(geometry, mesh.dimension)
+        check_orientation(material, self.geometry)
         self.mesh = axisymmetric(mesh) if geometry in (None, "axisymmetric") and mesh.dimension == 2 else mesh
         self._agreement = check_loads(loads, self.mesh, self.geometry, conduction=conduction)
         self.material, self.wall, self.safety = material, as_wall(wall), safety

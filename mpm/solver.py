@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from core_models.arguments import check_between
-from core_models.body_checks import check_body
+from core_models.body_checks import check_body, check_orientation
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.compilation import CHUNK
 from core_models.geometry import Axisymmetric, find_geometry
@@ -103,6 +103,7 @@ class Solver(Stepping, Books, Readout, Restartable, Body):
         check_between("cell_size", cell_size, 0.0, math.inf, "m")
         self.cfl = check_between("cfl", cfl, 0.0, 1.0)
         kind = find_geometry(geometry, mesh.dimension)
+        check_orientation(material, kind)
         mesh = axisymmetric(mesh) if isinstance(kind, Axisymmetric) else mesh
         wall = as_wall(wall)
         self._agreement = check_loads(loads, mesh, kind, conduction=conduction)

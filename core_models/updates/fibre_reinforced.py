@@ -39,6 +39,11 @@ class FibreReinforced(NamedTuple):
         """What is wrong with the parameters taken together; empty if nothing is."""
         return "" if any(self.fibre) else "the fibre has no direction: give a vector that is not 0"
 
+    @property
+    def directions(self) -> tuple:
+        """The directions that the law knows."""
+        return (self.fibre,)
+
 
 class Stretched(NamedTuple):
     """Fibres: a (three components), I_4 - 1 where positive, and dW/dI_4 and d2W/dI_4^2 [Pa]."""

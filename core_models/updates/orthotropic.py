@@ -83,6 +83,11 @@ class Orthotropic(NamedTuple):
         return ""
 
     @property
+    def directions(self) -> tuple:
+        """The directions that the law knows."""
+        return self.axis_1, self.axis_2
+
+    @property
     def averages(self) -> tuple[float, float]:
         """Voigt's averages of bulk and shear modulus [Pa]."""
         along, across = self.C_11 + self.C_22 + self.C_33, self.C_12 + self.C_23 + self.C_31

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from core_models.arguments import check_between
+from core_models.body_checks import check_orientation
 from core_models.equilibrium.free_motion import free_motion
 from core_models.equilibrium.increments import Increments
 from core_models.equilibrium.linear_solvers import make_linear_solver
@@ -82,6 +83,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
         if temperature is not None:
             check_between("temperature", temperature, 0.0, math.inf, "K")
         self.geometry = find_geometry(geometry, mesh.dimension)
+        check_orientation(material, self.geometry)
         self.mesh = axisymmetric(mesh) if geometry in (None, "axisymmetric") and mesh.dimension == 2 else mesh
         check_loads(loads, self.mesh, self.geometry)
         if any(isinstance(load, Damping) for load in loads):

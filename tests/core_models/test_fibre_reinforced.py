@@ -1,18 +1,25 @@
 """Fibre-reinforced elasticity: energy, direction, tension only, tangent, and its card."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 from lxml import etree
 
+import fem
+import mpm
+from core_models.body_checks import check_orientation
 from core_models.cards.reader import parse_material
 from core_models.cards.writer import material_element
 from core_models.driver import drive
 from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.errors import MaterialError
+from core_models.geometry import GEOMETRIES
 from core_models.material import Material
 from core_models.points import MaterialPoints
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.fibre_reinforced import FibreReinforced
+from meshes.block import block
 from tests.core_models.test_general_tangent import first_piola, plain  # noqa: F401
 
 K1, K2 = 0.5e6, 3.0
@@ -83,6 +90,16 @@ def test_the_tangent_is_the_derivative(plain, k2):  # noqa: F811
             points.deformation_gradient[0].flat[column] += sign * step
             difference += sign / (2.0 * step) * first_piola(points).ravel()
         assert tangents[0][:, column] == pytest.approx(difference, abs=1e-6 * np.abs(tangents).max())
+
+
+def test_fibres_oblique_to_a_plane_body_are_refused():
+    """In the plane or normal to it they fit; oblique ones would push the points out of it."""
+    check_orientation(tissue(), GEOMETRIES["spatial"])
+    for fibre in ((1.0, 2.0, 0.0), (0.0, 0.0, 3.0)):
+        check_orientation(tissue(update=FibreReinforced(K1, K2, fibre)), GEOMETRIES["plane-strain"])
+    for method in (fem.ExplicitSolver, partial(mpm.Solver, cell_size=0.5)):
+        with pytest.raises(MaterialError, match="oblique to the plane"):
+            method(block((0.0, 0.0), (1.0, 1.0), (1, 1)), tissue())
 
 
 def test_card_out_and_in_and_what_is_refused():
