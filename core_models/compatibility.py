@@ -27,7 +27,6 @@ from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.fibre_reinforced import FibreReinforced
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
-from core_models.updates.orthotropic import Orthotropic
 from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
 from core_models.yield_condition.drucker_prager import DruckerPrager
 from core_models.yield_condition.gurson import Gurson
@@ -37,7 +36,7 @@ from core_models.yield_condition.von_mises import VonMises
 PRESENT = (tuple,)  # any law
 ABSENT = (type(None),)
 SPLIT_UPDATES = (HypoelasticPlastic, HyperelasticPlastic)
-WHOLE_UPDATES = (CompressibleNeoHookean, FibreReinforced, Orthotropic, StVenantKirchhoff)
+WHOLE_UPDATES = (CompressibleNeoHookean, FibreReinforced, StVenantKirchhoff)
 ANISOTROPIC = (CubicElastic, OrthotropicElastic, TransverselyIsotropicElastic)
 SLOTS_OF_A_SPLIT = (
     "eos", "flow", "yield_condition", "shear_modulus", "kinematic_hardening", "damage", "melting", "heating",
@@ -69,7 +68,7 @@ class Clash(NamedTuple):
 CLASHES = (
     Clash(
         "update",
-        (*SPLIT_UPDATES, CompressibleNeoHookean, FibreReinforced, Orthotropic),
+        (*SPLIT_UPDATES, CompressibleNeoHookean, FibreReinforced),
         "elasticity",
         ANISOTROPIC,
         "an anisotropic stiffness is more than the bulk and the shear modulus that this update knows",

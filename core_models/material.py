@@ -34,7 +34,6 @@ from core_models.updates.general import General
 from core_models.updates.general_problem import return_stress
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
-from core_models.updates.orthotropic import Orthotropic
 from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
 from core_models.yield_condition.von_mises import VonMises
 
@@ -67,7 +66,7 @@ class Material:
     Parameters
     ----------
     name : for messages and reports. density : reference density rho_0 [kg/m^3].
-    update : HypoelasticPlastic or HyperelasticPlastic; CompressibleNeoHookean, FibreReinforced, Orthotropic
+    update : HypoelasticPlastic or HyperelasticPlastic; CompressibleNeoHookean, FibreReinforced
     and StVenantKirchhoff take nothing but an elasticity, only the last one that is anisotropic.
     The other slots : laws of core_models.<slot>; all but eos and elasticity may be left out.
     room_temperature : initial temperature unless a body gives its own [K].
@@ -88,7 +87,6 @@ class Material:
         | HyperelasticPlastic
         | CompressibleNeoHookean
         | FibreReinforced
-        | Orthotropic
         | StVenantKirchhoff
     )
     elasticity: Any

@@ -16,7 +16,6 @@ from core_models.laws import (
     under_pressure,
 )
 from core_models.schema.checking import fault_of
-from core_models.updates.orthotropic import Orthotropic
 
 LARGEST_MODULUS_GAP = 0.2  # between the card's moduli and those that the other laws have at rest
 STRAINS = (0.0, 1e-3, 1e-2, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0)  # plastic strains where softening is looked for
@@ -38,8 +37,6 @@ def complaints(m: Any) -> Iterator[Remark]:
     yield from _constants(m)
     if m.eos is not None:
         yield from _stiffness(m)
-    if isinstance(m.update, Orthotropic):
-        yield from _averages(m)
     yield from _temperatures(m)
     if m.flow is not None:
         yield from _strength(m)
@@ -116,17 +113,6 @@ def _stiffness(m: Any) -> Iterator[Remark]:
             f"{type(m.shear_modulus).__name__} gives {resting:.4g} Pa at room temperature, the card's shear modulus is "
             f"{shear:.4g} Pa: they describe the same stiffness, correct one of them",
         )
-
-
-def _averages(m: Any) -> Iterator[Remark]:
-    pairs = zip(("bulk", "shear"), elastic_moduli(m.elasticity), m.update.averages, strict=True)
-    for name, given, average in pairs:
-        if abs(average - given) > LARGEST_MODULUS_GAP * given:
-            yield Remark(
-                "update",
-                f"the average {name} modulus of the stiffness is {average:.4g} Pa, the card's {name} modulus is "
-                f"{given:.4g} Pa: they describe the same stiffness, correct one of them",
-            )
 
 
 def _temperatures(m: Any) -> Iterator[Remark]:

@@ -2,14 +2,13 @@
 
 import math
 
-from core_models.elasticity.stiffness import Stiffness, material_axes, stressed
+from core_models.elasticity.stiffness import Stiffness, stressed
 from core_models.errors import MaterialError
 from core_models.geometry import Geometry, Spatial, axis_names
 from core_models.laws import stiffness
 from core_models.material import Material
 from core_models.tensors import congruence, transposed
 from core_models.updates.fibre_reinforced import FibreReinforced
-from core_models.updates.orthotropic import Orthotropic
 from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
 
 LARGEST_COUPLING = 1e-6  # stress out of the plane by the largest stress
@@ -36,10 +35,6 @@ def coupling_out_of_plane(material: Material) -> float:
     if isinstance(update, FibreReinforced):
         x, y, z = update.fibre
         return math.hypot(x, y) * abs(z) / math.hypot(x, y, z) ** 2
-    if isinstance(update, Orthotropic):
-        normal = (update.C_11, update.C_22, update.C_33, update.C_12, update.C_23, update.C_31)
-        shear = (update.C_66, update.C_44, update.C_55)
-        return _coupling(Stiffness(normal, shear, material_axes(update.axis_1, update.axis_2)))
     return _coupling(stiffness(material.elasticity)) if isinstance(update, StVenantKirchhoff) else 0.0
 
 

@@ -53,7 +53,6 @@ from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.fibre_reinforced import FibreReinforced
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
-from core_models.updates.orthotropic import Orthotropic
 from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
 from core_models.yield_condition.drucker_prager import DruckerPrager
 from core_models.yield_condition.gurson import Gurson
@@ -73,9 +72,6 @@ SAMPLES = {
         HyperelasticPlastic(),
         CompressibleNeoHookean(),
         FibreReinforced(1e9, 2.0, (1.0, 1.0, 0.0)),
-        Orthotropic(
-            168e9, 172e9, 164e9, 121e9, 123e9, 119e9, 60e9, 58e9, 63e9, (1.0, 1.0, 0.0), (-1.0, 1.0, 0.0)
-        ),
         StVenantKirchhoff(),
     ],
     "elasticity": [

@@ -33,7 +33,6 @@ from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.fibre_reinforced import FibreReinforced
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
-from core_models.updates.orthotropic import Orthotropic
 from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
 
 UPDATE = SlotSchema(
@@ -67,26 +66,6 @@ UPDATE = SlotSchema(
                 Parameter("k1", "Pa", POSITIVE, "stiffness of the fibres"),
                 Parameter("k2", "-", NOT_NEGATIVE, "how fast they stiffen"),
                 Parameter("fibre", "-", ANY, "direction of the fibres in the reference body", size=3),
-            ),
-        ),
-        ModelSchema(
-            types=("orthotropic",),
-            law=Orthotropic,
-            help="elastic: linear and anisotropic; also transversely isotropic and cubic",
-            parameters=(
-                *(Parameter(f"C_{i}{i}", "Pa", POSITIVE, f"stiffness along axis {i}") for i in (1, 2, 3)),
-                *(
-                    Parameter(f"C_{i}{j}", "Pa", ANY, f"stiffness between axes {i} and {j}")
-                    for i, j in ((1, 2), (2, 3), (3, 1))
-                ),
-                *(
-                    Parameter(f"C_{n}{n}", "Pa", POSITIVE, f"stiffness in shear of axes {i} and {j}")
-                    for n, i, j in ((4, 2, 3), (5, 3, 1), (6, 1, 2))
-                ),
-                *(
-                    Parameter(f"axis_{i}", "-", ANY, f"direction of axis {i} in the reference body", size=3)
-                    for i in (1, 2)
-                ),
             ),
         ),
         ModelSchema(

@@ -11,7 +11,6 @@ from core_models.updates import (  # noqa: F401
     hyperelastic_tangent,
     hypoelastic_tangent,
     neo_hookean_tangent,
-    orthotropic_tangent,
     st_venant_kirchhoff_tangent,
 )
 from core_models.updates.balance import get_balance

@@ -1,7 +1,7 @@
 """Effects that a scene calls for, decided from its numbers, and what switching them says."""
 
 import json
-from dataclasses import replace
+from dataclasses import asdict, replace
 
 import pytest
 
@@ -13,8 +13,11 @@ from studies.effects_study.decisions import decisions, disagreements
 from studies.effects_study.study import AS_IT_IS, Switched, compare_effects, planned, verdict_table
 from studies.effects_study.switches import SWITCHES
 from studies.plan_text import plan_text
+from studies.run_record import to_json
 from studies.scene_reader import read_scene
 from studies.work_precision.measurement import Measurement
+
+SCENES = ("taylor-classic", "taylor-copper-jc", "taylor-copper-mts", "taylor-ofhc-190")
 
 
 @pytest.fixture
@@ -46,6 +49,14 @@ def test_the_founding_example_has_what_its_numbers_ask_for(copper):
     wanted = {each.effect: each.wanted for each in decisions(copper, "unilateral")}
     assert wanted["plastic heating"] and wanted["damage"] and not wanted["heat conduction"]
     assert wanted["wall friction"] is None
+
+
+def test_decisions_of_every_shipped_scene_can_be_written_down():
+    """Their numbers and verdicts are what JSON knows, whatever the laws have computed them with."""
+    for name in SCENES:
+        scene = read_scene(name)
+        entries = [asdict(each) | {"wanted": each.wanted} for each in decisions(scene, "unilateral")]
+        assert json.loads(to_json({"decisions": entries}))["decisions"] == entries
 
 
 def test_slow_and_long_scenes_ask_for_other_effects(copper):
