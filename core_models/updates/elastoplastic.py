@@ -20,6 +20,8 @@ from core_models.updates.prediction import (
     search,
 )
 
+STRAIGHT_ATTEMPTS = 3  # Newton steps of all points of a block at once, before single ones are searched for
+
 
 @inside_kernel
 def advance_elastoplastic(update, rows, statuses, count, model, viscosity, dt):
@@ -62,12 +64,21 @@ def correct_rows(rows, statuses, count, model, over_dt):
     """Returns to the yield surface of the points in the rows."""
     for k in range(count):
         put(rows, GUESS, k, guess(model, get_prediction(rows, k), over_dt, get_point(rows, k)))
-    for k in range(count):
-        status, correction = correct(
-            model, get_prediction(rows, k), get(rows, GUESS, k), over_dt, get_point(rows, k)
-        )
-        put_correction(rows, k, correction)
-        statuses[k] = status if statuses[k] == OK else statuses[k]
+    for attempt in range(STRAIGHT_ATTEMPTS):
+        for k in range(count):
+            status, correction = correct(
+                model, get_prediction(rows, k), get(rows, GUESS, k), over_dt, get_point(rows, k)
+            )
+            put_correction(rows, k, correction)
+            statuses[k] = status if statuses[k] == OK else statuses[k]
+        if attempt == STRAIGHT_ATTEMPTS - 1 or first_unsettled(statuses, count) == count:
+            break
+        for k in range(count):
+            # A point that is settled keeps its guess, and so its result.
+            is_unsettled = statuses[k] == UNSETTLED
+            better = max(get_correction(rows, k).increment, 0.0)
+            put(rows, GUESS, k, better if is_unsettled else get(rows, GUESS, k))
+            statuses[k] = OK if is_unsettled else statuses[k]
     for k in range(first_unsettled(statuses, count), count):
         if statuses[k] == UNSETTLED:
             statuses[k], correction = search(model, get_prediction(rows, k), over_dt, get_point(rows, k))
