@@ -13,6 +13,7 @@ from core_models.elasticity.transversely_isotropic import TransverselyIsotropicE
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
+from core_models.eos.spalling_mie_gruneisen import SpallingMieGruneisen
 from core_models.flow.anand import Anand
 from core_models.flow.johnson_cook import JohnsonCook
 from core_models.flow.mts import MechanicalThreshold
@@ -150,7 +151,8 @@ CLASHES = (
         "leave the thermal expansion out, or take the heating taylor_quinney",
     ),
     Clash(
-        "expansion", PRESENT, "eos", (MieGruneisen,), "mie_gruneisen has the thermal pressure in its energy",
+        "expansion", PRESENT, "eos", (MieGruneisen, SpallingMieGruneisen),
+        "mie_gruneisen has the thermal pressure in its energy",
         "leave the thermal expansion out",
     ),
     Clash(

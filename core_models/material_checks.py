@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 from core_models.compatibility import clashes
 from core_models.damage.gurson import VoidNucleation
 from core_models.eos.mie_gruneisen import MieGruneisen
+from core_models.eos.spalling_mie_gruneisen import SpallingMieGruneisen
 from core_models.flow.johnson_cook import JohnsonCook
 from core_models.laws import (
     elastic_moduli,
@@ -93,7 +94,7 @@ def _constants(m: Any) -> Iterator[Remark]:
 
 def _stiffness(m: Any) -> Iterator[Remark]:
     bulk, shear = elastic_moduli(m.elasticity)
-    if isinstance(m.eos, MieGruneisen):
+    if isinstance(m.eos, MieGruneisen | SpallingMieGruneisen):
         stiffness = m.eos.reference_density * m.eos.C_0**2
         if m.eos.reference_density != m.density:
             yield Remark(

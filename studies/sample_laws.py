@@ -12,6 +12,7 @@ from core_models.elasticity.transversely_isotropic import TransverselyIsotropicE
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
+from core_models.eos.spalling_mie_gruneisen import SpallingMieGruneisen
 from core_models.erosion.delete import DeletePoint
 from core_models.erosion.no_shear import AllowNoShear
 from core_models.erosion.no_tension import AllowNoTension
@@ -83,7 +84,12 @@ SAMPLES = {
         ),
     ],
     "objective_rate": [Logarithmic(), Jaumann()],
-    "eos": [DefaultHypoelastic(BULK), NeoHookean(BULK), MieGruneisen(DENSITY, 3940.0, 2.02, 1.489)],
+    "eos": [
+        DefaultHypoelastic(BULK),
+        NeoHookean(BULK),
+        MieGruneisen(DENSITY, 3940.0, 2.02, 1.489),
+        SpallingMieGruneisen(DENSITY, 3940.0, 2.02, 1.489, 1.2e9),
+    ],
     "flow": [
         PerfectPlasticity(90e6),
         LinearHardening(400e6, 100e6),

@@ -5,6 +5,7 @@ from dataclasses import replace
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
+from core_models.eos.spalling_mie_gruneisen import SpallingMieGruneisen
 from core_models.expansion.isotropic import IsotropicExpansion
 from core_models.heating.isentropic import IsentropicHeating
 from core_models.heating.taylor_quinney import TaylorQuinney
@@ -108,6 +109,17 @@ PRESSURE_MODULUS = Parameter(
     "bulk_modulus", "Pa", POSITIVE, "bulk modulus of the pressure", fallback="bulk_modulus"
 )
 
+HUGONIOT = (
+    Parameter("reference_density", "kg/m^3", POSITIVE, "density at rest", fallback="density"),
+    Parameter("C_0", "m/s", POSITIVE, "bulk sound speed"),
+    Parameter("Gamma_0", "-", NOT_NEGATIVE, "the full Grüneisen gamma"),
+    Parameter("S_alpha", "-", NOT_NEGATIVE, "slope of the Hugoniot dU_s/du_p"),
+)
+CURVED_HUGONIOT = (
+    Inert("S_2", ZERO, "a Hugoniot that is not a line"),
+    Inert("S_3", ZERO, "a Hugoniot that is not a line"),
+)
+
 EOS = SlotSchema(
     slot="eos",
     tags=("equation_of_state",),
@@ -120,16 +132,18 @@ EOS = SlotSchema(
             types=("mie_gruneisen",),
             law=MieGruneisen,
             help="Mie-Grüneisen on a linear Hugoniot",
+            parameters=HUGONIOT,
+            inert=CURVED_HUGONIOT,
+        ),
+        ModelSchema(
+            types=("mie_gruneisen_spall",),
+            law=SpallingMieGruneisen,
+            help="the same with its tension cut off",
             parameters=(
-                Parameter("reference_density", "kg/m^3", POSITIVE, "density at rest", fallback="density"),
-                Parameter("C_0", "m/s", POSITIVE, "bulk sound speed"),
-                Parameter("Gamma_0", "-", NOT_NEGATIVE, "the full Grüneisen gamma"),
-                Parameter("S_alpha", "-", NOT_NEGATIVE, "slope of the Hugoniot dU_s/du_p"),
+                *HUGONIOT,
+                Parameter("spall_strength", "Pa", POSITIVE, "largest mean stress in tension"),
             ),
-            inert=(
-                Inert("S_2", ZERO, "a Hugoniot that is not a line"),
-                Inert("S_3", ZERO, "a Hugoniot that is not a line"),
-            ),
+            inert=CURVED_HUGONIOT,
         ),
     ),
     unavailable=("mie_gruneisen_energy",),

@@ -7,13 +7,15 @@ from core_models.driver import drive
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
+from core_models.eos.spalling_mie_gruneisen import SpallingMieGruneisen
 from core_models.errors import RunFailure
 from core_models.laws import pressure
 from core_models.paths import principal_stretches
 
 COPPER = MieGruneisen(8930.0, 3940.0, 2.02, 1.489)
 STIFFNESS = 8930.0 * 3940.0**2
-EVERY_LAW = [COPPER, NeoHookean(136e9), DefaultHypoelastic(136e9)]
+SPALLING = SpallingMieGruneisen(*COPPER, 1.2e9)
+EVERY_LAW = [COPPER, NeoHookean(136e9), DefaultHypoelastic(136e9), SPALLING]
 
 
 @pytest.mark.parametrize(
@@ -43,6 +45,26 @@ def test_shock_states_lie_on_the_hugoniot(speed, printed):
 def test_gamma_is_the_whole_of_grueneisens_gamma(energy):
     """At the reference volume p = -Gamma_0 e: not half or twice of it, which no Hugoniot would show."""
     assert pressure(COPPER, 1.0, energy)[0] == pytest.approx(-2.02 * energy, rel=1e-14)
+
+
+def test_spall_cuts_tension_off_and_nothing_else():
+    """Up to the spall strength bitwise Mie-Grüneisen, beyond it constant, by volume or by energy."""
+    for ratio, energy in ((0.7, 1e9), (1.0, 0.0), (1.008, 0.0), (1.0, -5e8)):
+        assert pressure(SPALLING, ratio, energy) == pressure(COPPER, ratio, energy)
+    for ratio, energy in ((1.02, 0.0), (1.5, 1e8), (1.0, -1e9)):
+        assert pressure(SPALLING, ratio, energy) == (1.2e9, 0.0, 0.0)
+
+
+@pytest.mark.usefixtures("interpreted")
+@pytest.mark.parametrize("update", ["hypo", "hyper"])
+def test_a_body_pulled_apart_carries_its_spall_strength(copper, update):
+    """Mean stress of uniaxial strain to J = 1.2 and back: never above the cut-off, at it while the body opens."""
+    stretches = np.concatenate([np.linspace(1.0, 1.2, 41), np.linspace(1.2, 0.98, 45)])
+    path = principal_stretches(stretches, np.ones_like(stretches), np.ones_like(stretches))
+    mean = drive(copper(update, "perfect", eos=SPALLING), path, 1e-7).stress[:, :3].mean(axis=1)
+    assert mean.max() == pytest.approx(1.2e9, rel=1e-6)
+    assert mean[5:41] == pytest.approx(1.2e9, rel=1e-6)
+    assert mean[-1] < 0.0
 
 
 @pytest.mark.parametrize("law", EVERY_LAW, ids=lambda law: type(law).__name__)
