@@ -18,7 +18,7 @@ from core_models.laws import (
     stiffness,
     thermal_volume,
 )
-from core_models.material import Material
+from core_models.material import Material, has_anisotropic_return
 from core_models.nonlocal_average import NonlocalAverage
 from core_models.rows import make_workspace
 from core_models.state import State
@@ -287,7 +287,7 @@ def thermal_stress(material: Material, temperature: float) -> float:
 
 def initial_wave_speed(material: Material) -> float:
     """Longitudinal wave speed of the unstressed material [m/s]."""
-    if isinstance(material.update, StVenantKirchhoff):
+    if isinstance(material.update, StVenantKirchhoff) or has_anisotropic_return(material):
         return float(np.sqrt(largest_modulus(stiffness(material.elasticity)) / material.density))
     shear = material.shear_at_rest(material.room_temperature)
     bulk = (
