@@ -208,21 +208,6 @@ CLASHES = (
         "leave the thermal expansion out",
     ),
     Clash(
-        "stability", PRESENT, "yield_condition", (*PRESSURE_DEPENDENT, *POROUS),
-        "the stability checks know the tangent of continued flow of von Mises' surface alone",
-        "take vonMises or leave stability out",
-    ),
-    Clash(
-        "stability", PRESENT, "damage", (VoidNucleation,),
-        "the stability checks know the tangent of continued flow of von Mises' surface alone",
-        "take vonMises or leave stability out",
-    ),
-    Clash(
-        "stability", PRESENT, "kinematic_hardening", PRESENT,
-        "the stability checks know the tangent of a surface that grows, not of one that moves",
-        "leave one of them out",
-    ),
-    Clash(
         "kinematic_hardening", PRESENT, "damage", (VoidNucleation,),
         "back stresses move the surface of von Mises", "take vonMises or leave kinematic_hardening out",
     ),
@@ -241,16 +226,6 @@ CLASHES = (
     Clash(
         "damage", (VoidNucleation,), "yield_condition", (VonMises, *PRESSURE_DEPENDENT, *ABSENT),
         "these voids act through the yield condition", "take the yield condition gurson",
-    ),
-    Clash(
-        "yield_condition", POROUS, "flow", (Anand,),
-        "the porous yield condition measures stresses by the flow stress, and Anand's matrix has none at rest",
-        "take a flow law with a yield stress",
-    ),
-    Clash(
-        "damage", (VoidNucleation,), "flow", (Anand,),
-        "the porous yield condition measures stresses by the flow stress, and Anand's matrix has none at rest",
-        "take a flow law with a yield stress",
     ),
     Clash(
         "yield_condition", PRESSURE_DEPENDENT, "flow", RATE_DEPENDENT,

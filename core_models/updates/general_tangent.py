@@ -31,13 +31,14 @@ def _(update, rows, statuses, count, model, dt, start, stresses, tangents):
     for k in range(count):
         statuses[k], step = solved_step(update, rows, k, model, 1.0 / dt)
         if statuses[k] == OK:
-            linearise_point(update, rows, k, model, step, start + k, stresses, tangents)
+            flow = flow_before(model, step.before, step.prediction.volume_ratio_0)
+            linearise_point(update, rows, k, model, flow, step, start + k, stresses, tangents)
         complete_step(update, rows, k, model, None, dt, step)
 
 
 @inside_kernel
-def linearise_point(update, rows, k, model, step, place, stresses, tangents):
-    """Write first Piola stress and tangent of a point whose step has been solved."""
+def linearise_point(update, rows, k, model, flow, step, place, stresses, tangents):
+    """Write first Piola stress and tangent of a point whose step has been solved with a flow law."""
     before, prediction, problem, returned = step.before, step.prediction, step.problem, step.returned
     f0, f1 = get_tensor(rows, F0, k), get_tensor(rows, F1, k)
     j = prediction.volume_ratio_1
@@ -50,7 +51,6 @@ def linearise_point(update, rows, k, model, step, place, stresses, tangents):
     tau = scaled(stress, measure)
     put_stress(stresses, place, tau, inverse_f)
     motion = kinematics(update.kinematics, model, f0, f1, before, prediction)
-    flow = flow_before(model, before, prediction.volume_ratio_0)
     is_weak = has_no_strength(model, before, prediction.volume_ratio_0)
     for number in range(9):
         towards = direction(number, inverse_f, j)
