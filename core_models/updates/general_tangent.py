@@ -24,6 +24,7 @@ from core_models.updates.general_problem import return_change
 from core_models.updates.prediction import NO_STRESS, has_no_strength
 from core_models.updates.tangent import direction, linearise_rows, put_change, put_stress
 from core_models.updates.turning import rotation_after
+from core_models.yield_condition import drucker_prager_change, mohr_coulomb_change  # noqa: F401
 
 
 @linearise_rows.register(General)
