@@ -11,6 +11,7 @@ from core_models.errors import RunFailure, UnsupportedError
 from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points
 from core_models.laws import (
     back_stress_count,
+    damage_of_porosity,
     elastic_moduli,
     pressure,
     stability_measure,
@@ -200,13 +201,24 @@ class MaterialPoints:
     def accept(self) -> None:
         """Make the new state the old one."""
         if self._average is not None:
-            self._average.apply(self.old.damage, self.new.damage)
+            self._average_damage(self._average)
         self.old, self.new = self.new, self.old
         self.viscous_pressure, self._new_viscous_pressure = self._new_viscous_pressure, self.viscous_pressure
         self.old_deformation_gradient, self.deformation_gradient = (
             self.deformation_gradient,
             self.old_deformation_gradient,
         )
+
+    def _average_damage(self, average: NonlocalAverage) -> None:
+        """Spread what the step has added to the damage; with voids to the porosity, which the damage follows."""
+        old, new = self.old, self.new
+        is_sound = old.damage < 1.0
+        if new.porosity is None:
+            average.apply(old.damage, new.damage, is_sound)
+            return
+        average.apply(old.porosity, new.porosity, is_sound)
+        condition = self.material.yield_condition
+        new.damage[is_sound] = damage_of_porosity(condition, new.porosity[is_sound], old.damage[is_sound])
 
     @property
     def volume_ratio(self) -> np.ndarray:
