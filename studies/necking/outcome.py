@@ -10,7 +10,8 @@ from studies.verification.variant import FEM, MPM
 MARKS = 7  # elongations in the tables
 
 NECK = {
-    "centre_plastic_strain": ("plastic strain, centre", 1.0), "surface_plastic_strain": ("plastic strain, surface", 1.0),
+    "centre_plastic_strain": ("plastic strain, centre", 1.0),
+    "surface_plastic_strain": ("plastic strain, surface", 1.0),
     "centre_triaxiality": ("triaxiality, centre", 1.0), "surface_triaxiality": ("triaxiality, surface", 1.0),
     "flow_stress": ("flow stress, centre [MPa]", 1e-6), "bridgman_flow": ("flow stress by Bridgman [MPa]", 1e-6),
     "axial_stress": ("axial stress, centre [MPa]", 1e-6), "bridgman_axial": ("axial stress by Bridgman [MPa]", 1e-6),
