@@ -14,6 +14,7 @@ from core_models.checkpoint import (
 )
 
 VALUES = ("positions", "_velocity", "_forces", "time", "step_count", "point_updates")
+ROUTE = ("load_time", "load_rate")
 
 
 class RestartableIncrements:
@@ -26,6 +27,7 @@ class RestartableIncrements:
             **under("points", points_checkpoint(self.points)),
             **under("body", values_of(self._body, ("scales",))),
             **under("supports", values_of(self._supports, ("reactions",))),
+            **under("route", values_of(self._route, ROUTE)),
             **under("increments", values_of(self._increments, ("next",))),
             **under("ledger", ledger_checkpoint(self._ledger)),
         }
@@ -40,5 +42,6 @@ class RestartableIncrements:
         restore_points(self.points, part_of(checkpoint, "points"))
         put_values(self._body, ("scales",), part_of(checkpoint, "body"))
         put_values(self._supports, ("reactions",), part_of(checkpoint, "supports"))
+        put_values(self._route, ROUTE, part_of(checkpoint, "route"))
         put_values(self._increments, ("next",), part_of(checkpoint, "increments"))
         restore_ledger(self._ledger, part_of(checkpoint, "ledger"))

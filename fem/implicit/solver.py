@@ -1,7 +1,7 @@
 """Implicit quasi-static finite elements: equilibrium at the end of every increment by Newton's method."""
 
 import math
-from pathlib import Path
+from pathlib import Path as FilePath
 
 import numpy as np
 
@@ -11,9 +11,16 @@ from core_models.equilibrium.increments import Increments
 from core_models.equilibrium.linear_solvers import make_linear_solver
 from core_models.equilibrium.log import CONVERGED, CUT, ConvergenceLog, Increment, Start
 from core_models.equilibrium.newton import Attempt, Newton
+from core_models.equilibrium.path import PathNewton
 from core_models.equilibrium.pattern import Pattern
 from core_models.equilibrium.stalled import Stalled
-from core_models.errors import SceneError, SingularStiffness, UnsupportedError
+from core_models.errors import (
+    LoadBeyondEquilibrium,
+    NoEquilibrium,
+    SceneError,
+    SingularStiffness,
+    UnsupportedError,
+)
 from core_models.geometry import find_geometry
 from core_models.ledger import EnergyLedger
 from core_models.load_checks import check_loads
@@ -29,6 +36,9 @@ from fem.elements import FULL, is_one_point_brick
 from fem.hourglass import DEFAULT
 from fem.implicit.checkpoint import RestartableIncrements
 from fem.implicit.frequency import lowest_frequency
+from fem.implicit.load_limit import ADVICE, growing_loads
+from fem.implicit.path import Path, make_measure
+from fem.implicit.route import PathRoute, Route, TimeRoute
 from fem.implicit.system import ElementSystem
 from fem.shape_readout import ShapeReadout
 from fem.supports import Supports
@@ -36,9 +46,7 @@ from meshes.axisymmetric import axisymmetric
 from meshes.bodies import bodies_of_nodes
 from meshes.mesh import Mesh
 
-# Gauss-Legendre on [0, 1]: the displacement that prescribed velocities add up to within an increment.
-_TIMES = (0.5 - math.sqrt(0.15), 0.5, 0.5 + math.sqrt(0.15))
-_SHARES = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
+CHECKS = "check supports and loads, and the mesh where it is worst"
 
 
 class ImplicitSolver(RestartableIncrements, ShapeReadout):
@@ -53,6 +61,8 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
     tolerance : on the residual, relative to all forces on nodes, in [1e-12, 1e-3]. iterations : allowed per increment.
     linear_solver : 'scipy', 'pardiso', or None for PARDISO where it can be imported. log : file for the convergence log
     in JSON lines, or None; `log.records` and `log.text()` hold it in any case.
+    path : None, `PathLength` or `BoundaryMotion`: forces then grow and fall as equilibrium asks for, the body moves on;
+    `time` is that of the motion, and `load_time` that at which loads are taken.
 
     Time is that of the histories of supports and loads, and of rate-dependent laws. A body force at current positions
     has no stiffness of its own, so that it costs iterations.
@@ -77,7 +87,8 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
         tolerance: float = 1e-8,
         iterations: int = 20,
         linear_solver: str | None = None,
-        log: Path | str | None = None,
+        log: FilePath | str | None = None,
+        path: Path | None = None,
     ) -> None:
         check_between("tolerance", tolerance, 1e-12, 1e-3)
         if temperature is not None:
@@ -100,15 +111,21 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
         self.positions = self.mesh.points.copy()
         self._supports = Supports(loads, self.mesh, self.geometry)
         projection = make_cure(self.cure, self.mesh, self._body.space)
+        self._loads = tuple(loads)
         self._system = ElementSystem(
             self.mesh, self.geometry, self._body, projection, self.points, material, self._supports,
-            tuple(loads), self.threads,
+            self._loads, self.threads,
         )  # fmt: skip
         self._pattern = Pattern(self._system.tables, ~self._system.fixed.ravel(), self.threads)
         linear = make_linear_solver(linear_solver, self._pattern)
         self.log = ConvergenceLog(log)
         self.log.add(Start(self.method, self._pattern.size, len(self._pattern.columns), linear.name))
-        self._newton = Newton(self._system, self._pattern, linear, self.log, tolerance, iterations)
+        newton = (self._system, self._pattern, linear, self.log, tolerance, iterations)
+        if path is None:
+            self._route: Route = TimeRoute(Newton(*newton), self._supports)
+        else:
+            measure = make_measure(path, self.mesh, self._supports)
+            self._route = PathRoute(PathNewton(measure, *newton))
         self._increments = Increments(increment, smallest)
         self._forces, self._velocity = np.zeros_like(self.positions), np.zeros_like(self.positions)
         self.time, self.step_count, self.point_updates = 0.0, 0, 0
@@ -118,6 +135,11 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
     def time_step(self) -> float:
         """The next increment to try [s]."""
         return self._increments.next
+
+    @property
+    def load_time(self) -> float:
+        """Time at which loads are taken [s]: `time`, unless a path is followed."""
+        return self._route.load_time
 
     @property
     def linear_solver(self) -> str:
@@ -148,7 +170,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
         """
         self._refuse_free_motion()
         system = self._system
-        system.balance(self.positions, self.time, 1.0)
+        system.balance(self.positions, self.load_time, 1.0)
         free = ~system.fixed
         masses = np.broadcast_to(self.nodal_mass[:, None], free.shape)[free]
         return lowest_frequency(self._pattern, system.stiffness(), masses)
@@ -168,7 +190,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
             end = limit if dt == limit - self.time else self.time + dt
             attempt = Attempt(self.step_count + 1, number, end, dt)
             try:
-                positions, corrections = self._attempt(attempt)
+                positions, corrections = self._route.attempt(self.positions, self._velocity, attempt)
                 break
             except (Stalled, PointFailure) as reason:
                 why = self._describe(reason)
@@ -177,24 +199,29 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
                     for each in self.log.iterations
                 )
                 self._end(attempt, iterations, CUT, why)
-                dt = self._increments.cut(dt, why, self._place(attempt))
+                dt = self._cut(attempt, why)
                 number += 1
         self._accept(positions, dt, end)
         self.point_updates += self.points.n * (corrections + 1)
         self._end(attempt, corrections, CONVERGED)
         self._increments.converged(dt, corrections)
 
-    def _attempt(self, attempt: Attempt) -> tuple[np.ndarray, int]:
-        target = self.positions + self._prescribed(attempt.step)
-        return self._newton.solve(self.positions + attempt.step * self._velocity, target, attempt)
-
-    def _prescribed(self, dt: float) -> np.ndarray:
-        """Displacements (n, d) [m] of the supports within the next dt [s]; 0 for free components."""
-        supports, total = self._supports, np.zeros_like(self.positions)
-        for place, share in zip(_TIMES, _SHARES, strict=True):
-            supports.move_to(self.time + place * dt)
-            total += share * dt * supports.given
-        return np.where(supports.fixed, total, 0.0)
+    def _cut(self, attempt: Attempt, why: str) -> float:
+        """A smaller increment; NoEquilibrium with what to try where there is none."""
+        place = f"increment {attempt.increment}, t = {attempt.time:.6e} s (material {self.material.name})"
+        try:
+            return self._increments.cut(attempt.step, f"{place}: {why}")
+        except NoEquilibrium as reason:
+            times = self.load_time, attempt.time
+            growing = isinstance(self._route, TimeRoute) and growing_loads(
+                self._loads, self.mesh, self.geometry, self.nodal_mass, self.positions, times
+            )
+            if not growing:
+                raise NoEquilibrium(f"{reason}: {CHECKS}") from None
+            raise LoadBeyondEquilibrium(
+                f"{reason}. No equilibrium was found under more than {growing}: if that is all the body carries, "
+                f"{ADVICE}; else {CHECKS}"
+            ) from None
 
     def _accept(self, positions: np.ndarray, dt: float, end: float) -> None:
         system, ledger = self._system, self._ledger
@@ -209,6 +236,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
             self._supports.reactions[:] = np.where(system.fixed, -system.forces - loads, 0.0)
         self.points.accept()
         self._body.accept()
+        self._route.accept(dt)
         self.time, self.step_count = end, self.step_count + 1
 
     def _refuse_free_motion(self) -> None:
@@ -224,9 +252,6 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
             return str(reason)
         per_element = self.points.n // len(self.mesh.cells)
         return f"{reason} at point {reason.point} (element {reason.point // per_element})"
-
-    def _place(self, attempt: Attempt) -> str:
-        return f"increment {attempt.increment}, t = {attempt.time:.6e} s (material {self.material.name})"
 
     def _end(self, attempt: Attempt, iterations: int, outcome: str, reason: str = "") -> None:
         self.log.add(
