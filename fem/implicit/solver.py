@@ -59,8 +59,8 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
     increment : of time to take [s], > 0; it is cut on failure, and grows again on ease. smallest : below it the run
     gives up [s]; by default 1e-6 of the increment.
     tolerance : on the residual, relative to all forces on nodes, in [1e-12, 1e-3]. iterations : allowed per increment.
-    linear_solver : 'scipy', 'pardiso', or None for PARDISO where it can be imported. log : file for the convergence log
-    in JSON lines, or None; `log.records` and `log.text()` hold it in any case.
+    linear_solver : 'scipy', 'pardiso', 'petsc', or None for PARDISO where it can be imported, else SciPy. log : file
+    for the convergence log in JSON lines, or None; `log.records` and `log.text()` hold it in any case.
     path : None, `PathLength` or `BoundaryMotion`: forces then grow and fall as equilibrium asks for, the body moves on;
     `time` is that of the motion, and `load_time` that at which loads are taken.
 
