@@ -4,7 +4,7 @@ from html import escape
 from importlib.resources import files
 
 from studies.report.markup import items, note, panels, section, table
-from studies.verification.figures import plot_svg
+from studies.verification.figures import picture_svg, plot_svg
 from studies.verification.outcome import Outcome, Table
 from studies.verification.problem import Problem
 from studies.verification.text import criterion_text, shown
@@ -76,6 +76,10 @@ def _problem(problem: Problem, outcome: Outcome) -> str:
             items("verdicts", failed) if failed else "",
             _folded(met),
             panels([plot_svg(plot, problem.name) for plot in outcome.plots if plot.curves], ""),
+            *(
+                panels([picture_svg(each, problem.name)], f"{each.title}: {each.label}.")
+                for each in outcome.pictures
+            ),
             *(_table(each) for each in outcome.tables if each.rows),
             *(note(remark) for remark in outcome.remarks),
         )

@@ -43,17 +43,27 @@ PROBLEMS = {
 NECKING = {"necking-simo": ("necking_simo", "PROBLEM")}
 """Problems of the necking study, in the same form."""
 
-STUDIES = {"verification": PROBLEMS, "necking": NECKING}
+LIMIT_LOADS = {
+    "thick-cylinder": ("thick_cylinder", "PROBLEM"),
+    "thick-sphere": ("thick_sphere", "PROBLEM"),
+    "footing": ("footing", "PROBLEM"),
+    "solder-lap": ("solder_lap", "PROBLEM"),
+    "reversed-bar": ("reversed_bar", "PROBLEM"),
+}
+"""Problems of the study of limit loads, in the same form."""
+
+STUDIES = {"verification": PROBLEMS, "necking": NECKING, "limit-loads": LIMIT_LOADS}
 """Problems of each study."""
 
 
 def find_problem(name: str) -> Problem:
     """The problem of that name, in whichever study; SceneError with the nearest one otherwise."""
-    problems = PROBLEMS | NECKING
+    problems = PROBLEMS | NECKING | LIMIT_LOADS
     if name not in problems:
         raise SceneError(f"no verification problem is called {name!r}; {suggestion(name, problems)}")
     module, variable = problems[name]
-    return getattr(import_module(f"studies.verification.problems.{module}"), variable)
+    package = "studies.limit_loads" if name in LIMIT_LOADS else "studies.verification.problems"
+    return getattr(import_module(f"{package}.{module}"), variable)
 
 
 def verify(
@@ -76,7 +86,9 @@ def verify(
             tell(problem, outcome)
         folder.write_text("results.json", to_json(_plain(results_entry(results, quick, study))))
         try:
-            folder.write_text("report.html", report_page(results, quick, study.capitalize()))
+            folder.write_text(
+                "report.html", report_page(results, quick, study.replace("-", " ").capitalize())
+            )
         except UnsupportedError as reason:
             results[-1][1].remarks.append(f"{reason}; results.json is complete")
     return results
