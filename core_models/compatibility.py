@@ -8,6 +8,7 @@ from core_models.damage.hancock_mackenzie import HancockMackenzieDamage
 from core_models.damage.johnson_cook import JohnsonCookDamage
 from core_models.damage.sandia import SandiaDamage
 from core_models.elasticity.cubic import CubicElastic
+from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.elasticity.orthotropic import OrthotropicElastic
 from core_models.elasticity.transversely_isotropic import TransverselyIsotropicElastic
 from core_models.eos.default_hypo import DefaultHypoelastic
@@ -51,7 +52,10 @@ RATE_DEPENDENT = (
 
 
 class Clash(NamedTuple):
-    """Two slots that do not go together when each holds a law of the given classes: why, and what would fit."""
+    """Two slots that do not go together when each holds a law of the given classes: why, and what would fit.
+
+    updates : those with which it is so.
+    """
 
     slot: str
     laws: tuple[type, ...]
@@ -59,21 +63,68 @@ class Clash(NamedTuple):
     others: tuple[type, ...]
     why: str
     remedy: str
+    updates: tuple[type, ...] = PRESENT
 
     def holds(self, material: Any) -> bool:
         """Whether a material has both."""
         first, second = getattr(material, self.slot), getattr(material, self.other)
-        return isinstance(first, self.laws) and isinstance(second, self.others)
+        has_both = isinstance(first, self.laws) and isinstance(second, self.others)
+        return has_both and isinstance(material.update, self.updates)
 
 
 CLASHES = (
     Clash(
         "update",
-        (*SPLIT_UPDATES, CompressibleNeoHookean, FibreReinforced),
+        (CompressibleNeoHookean, FibreReinforced),
         "elasticity",
         ANISOTROPIC,
         "an anisotropic stiffness is more than the bulk and the shear modulus that this update knows",
-        "take the update st_venant_kirchhoff, or give <bulk_modulus> and <shear_modulus>",
+        "take the update st_venant_kirchhoff or hypoelastic_plastic, or give <bulk_modulus> and <shear_modulus>",
+    ),
+    Clash(
+        "update",
+        (HyperelasticPlastic,),
+        "elasticity",
+        ANISOTROPIC,
+        "the elastic strain b_e of the hyperelastic update does not tell how the axes of the material have turned",
+        "take the update hypoelastic_plastic, or st_venant_kirchhoff for a body that does not flow",
+    ),
+    *(
+        Clash("elasticity", ANISOTROPIC, slot, laws, why, remedy, (HypoelasticPlastic,))
+        for slot, laws, why, remedy in (
+            (
+                "eos", PRESENT, "an anisotropic stiffness gives the mean stress as well, which depends on shear too",
+                "leave the equation of state out",
+            ),
+            (
+                "shear_modulus", PRESENT, "an anisotropic stiffness has no single shear modulus",
+                "leave shear_modulus out",
+            ),
+            (
+                "yield_condition", (*PRESSURE_DEPENDENT, *POROUS),
+                "the return to this surface takes shape and volume apart, which an anisotropic stiffness does not",
+                "take vonMises, or give <bulk_modulus> and <shear_modulus>",
+            ),
+            (
+                "damage", (VoidNucleation,),
+                "the return of a porous body takes shape and volume apart, which an anisotropic stiffness does not",
+                "take another damage law",
+            ),
+            (
+                "objective_rate", PRESENT,
+                "the axes of an anisotropic material turn with R of F = V R, and so must its stress",
+                "leave objective_rate out: the rate is that of Green and Naghdi",
+            ),
+            (
+                "stability", PRESENT, "the stability checks know the continued flow of isotropic bodies alone",
+                "leave stability out",
+            ),
+            (
+                "expansion", PRESENT,
+                "thermal expansion acts through the equation of state, which an anisotropic body has not",
+                "leave the thermal expansion out",
+            ),
+        )
     ),
     *(
         Clash(
@@ -88,12 +139,13 @@ CLASHES = (
         for slot in SLOTS_OF_A_SPLIT
     ),
     Clash(
-        "update",
-        SPLIT_UPDATES,
+        "elasticity",
+        (IsotropicElastic,),
         "eos",
         ABSENT,
         "the mean stress comes from an equation of state, so the material needs a law in the slot eos",
         "give one, such as mie_gruneisen",
+        SPLIT_UPDATES,
     ),
     Clash(
         "update",
@@ -141,8 +193,8 @@ CLASHES = (
         "add specific_heat or leave heating out",
     ),
     Clash(
-        "heating", (IsentropicHeating,), "eos", (DefaultHypoelastic, NeoHookean),
-        "heating by volume change needs the Grüneisen gamma, which this equation of state has not",
+        "heating", (IsentropicHeating,), "eos", (DefaultHypoelastic, NeoHookean, *ABSENT),
+        "heating by volume change needs the Grüneisen gamma of an equation of state",
         "take mie_gruneisen, or the heating taylor_quinney",
     ),
     Clash(
@@ -219,9 +271,13 @@ def clashes(material: Any) -> Iterator[Clash]:
     return (clash for clash in CLASHES if clash.holds(material))
 
 
-def clash_of(slot: str, law: type, other: str, other_law: type) -> Clash | None:
-    """The row for two laws, by class (type(None) for an empty slot); None if they fit."""
+def clash_of(
+    slot: str, law: type, other: str, other_law: type, update: type = HypoelasticPlastic
+) -> Clash | None:
+    """The row for two laws in an update, by class (type(None) for an empty slot); None if they fit."""
     for clash in CLASHES:
+        if not issubclass(update, clash.updates):
+            continue
         for first, second in (((slot, law), (other, other_law)), ((other, other_law), (slot, law))):
             if (
                 (clash.slot, clash.other) == (first[0], second[0])

@@ -11,13 +11,14 @@ from core_models.errors import RunFailure, UnsupportedError
 from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points
 from core_models.laws import (
     back_stress_count,
+    damage_of_porosity,
     elastic_moduli,
     pressure,
     stability_measure,
     stiffness,
     thermal_volume,
 )
-from core_models.material import Material
+from core_models.material import Material, has_anisotropic_return
 from core_models.nonlocal_average import NonlocalAverage
 from core_models.rows import make_workspace
 from core_models.state import State
@@ -200,13 +201,24 @@ class MaterialPoints:
     def accept(self) -> None:
         """Make the new state the old one."""
         if self._average is not None:
-            self._average.apply(self.old.damage, self.new.damage)
+            self._average_damage(self._average)
         self.old, self.new = self.new, self.old
         self.viscous_pressure, self._new_viscous_pressure = self._new_viscous_pressure, self.viscous_pressure
         self.old_deformation_gradient, self.deformation_gradient = (
             self.deformation_gradient,
             self.old_deformation_gradient,
         )
+
+    def _average_damage(self, average: NonlocalAverage) -> None:
+        """Spread what the step has added to the damage; with voids to the porosity, which the damage follows."""
+        old, new = self.old, self.new
+        is_sound = old.damage < 1.0
+        if new.porosity is None:
+            average.apply(old.damage, new.damage, is_sound)
+            return
+        average.apply(old.porosity, new.porosity, is_sound)
+        condition = self.material.yield_condition
+        new.damage[is_sound] = damage_of_porosity(condition, new.porosity[is_sound], old.damage[is_sound])
 
     @property
     def volume_ratio(self) -> np.ndarray:
@@ -275,7 +287,7 @@ def thermal_stress(material: Material, temperature: float) -> float:
 
 def initial_wave_speed(material: Material) -> float:
     """Longitudinal wave speed of the unstressed material [m/s]."""
-    if isinstance(material.update, StVenantKirchhoff):
+    if isinstance(material.update, StVenantKirchhoff) or has_anisotropic_return(material):
         return float(np.sqrt(largest_modulus(stiffness(material.elasticity)) / material.density))
     shear = material.shear_at_rest(material.room_temperature)
     bulk = (

@@ -8,7 +8,8 @@ from core_models.walls import check_wall
 from studies.comparison import Comparison, conclude
 from studies.methods import planned_runs
 from studies.output_folder import OutputFolder
-from studies.report.page import report_page
+from studies.report.comparison_report import report_of
+from studies.report.study_page import write_report
 from studies.run_record import run_entry, to_json
 from studies.run_result import RunResult
 from studies.running import simulate
@@ -29,8 +30,8 @@ def compare(
     """Run a scene by every method at every resolution under one wall and compare.
 
     resolutions: elements or cells across the radius (default: the scene's own for each method), each run once;
-    out: folder for results.json, report.html and one subfolder per run (default: nothing is written). A run that goes
-    wrong is recorded with its message and does not stop the others.
+    out: folder for results.json, report.html, report.md, tables as CSV and one subfolder per run (default: nothing is
+    written). A run that goes wrong is recorded with its message and does not stop the others.
     Raises SceneError, MeshError, OutputError before anything is written.
     """
     wall = check_wall(wall or scene.wall)
@@ -47,7 +48,7 @@ def compare(
 
 def _report(comparison: Comparison, folder: OutputFolder) -> None:
     try:
-        folder.write_text("report.html", report_page(comparison))
+        comparison.notice = write_report(report_of(comparison), folder)
     except UnsupportedError as reason:
         comparison.notice = f"{reason}; results.json is complete"
 

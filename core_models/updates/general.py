@@ -80,6 +80,8 @@ class General(NamedTuple):
     kinematics: HypoelasticPlastic | HyperelasticPlastic
     tolerance: float
 
+    is_internal = True
+
 
 class Step(NamedTuple):
     """A point's step: state before, trial, local problem and its result, deviator before the step as it is turned."""

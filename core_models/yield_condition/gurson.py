@@ -3,6 +3,8 @@
 import math
 from typing import NamedTuple
 
+import numpy as np
+
 from core_models.compilation import beside_kernel, inside_kernel
 from core_models.elementary import exponential
 from core_models.laws import damage_of_porosity, nucleated
@@ -91,19 +93,24 @@ def full_porosity(law):
 
 
 @inside_kernel
+def accelerated_porosity(law, porosity):
+    """f + (k - 1) max(f - f_c, 0), of numbers or arrays."""
+    return porosity + (law.k - 1.0) * np.maximum(porosity - law.f_c, 0.0)
+
+
+@inside_kernel
 def effective_porosity(law, porosity):
-    """f* and its slope by f."""
-    accelerated = law.f_c + law.k * (porosity - law.f_c)
+    """f*, held at its limit, and its slope by f."""
+    effective = accelerated_porosity(law, porosity)
     limit = LARGEST_PART * full_porosity(law)
-    if porosity <= law.f_c:
-        return min(porosity, limit), 1.0 if porosity < limit else 0.0
-    return min(accelerated, limit), law.k if accelerated < limit else 0.0
+    slope = law.k if porosity > law.f_c else 1.0
+    return min(effective, limit), slope if effective < limit else 0.0
 
 
 @damage_of_porosity.register(Gurson)
 def _(yield_condition, porosity, damage):
     largest = LARGEST_PART * full_porosity(yield_condition)
-    return max(damage, effective_porosity(yield_condition, porosity)[0] / largest)
+    return np.maximum(damage, np.minimum(accelerated_porosity(yield_condition, porosity) / largest, 1.0))
 
 
 @inside_kernel

@@ -27,8 +27,8 @@ class Extent:
     within: float
 
 
-FULL = Extent((("fem-explicit", 6), ("mpm", 8)), 9, 60.0)
-QUICK = Extent((("fem-explicit", 3), ("mpm", 4)), 1, 8.0)
+FULL = Extent((("fem-explicit", 4), ("mpm", 8)), 9, 40.0)
+QUICK = Extent((("fem-explicit", 3), ("mpm", 6)), 1, 8.0)
 
 
 @dataclass(frozen=True)

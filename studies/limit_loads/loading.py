@@ -1,4 +1,4 @@
-"""Bodies driven slowly by prescribed motion, by implicit and explicit elements and by material points."""
+"""Bodies driven slowly by prescribed motion: elements and material points, implicit and explicit."""
 
 import time
 from collections.abc import Callable
@@ -13,8 +13,9 @@ from studies.quasi_static import KineticWatch, slow_enough
 
 START = 0.1  # share of the duration in which an explicit run speeds up, unless given
 ELASTIC = 0.2  # share after which the body has taken up much more than its elastic start
-IMPLICIT, EXPLICIT, POINTS = "fem-implicit", "fem-explicit", "mpm-tl"
-METHODS = (IMPLICIT, EXPLICIT, POINTS)
+IMPLICIT, EXPLICIT, POINTS, IMPLICIT_POINTS = "fem-implicit", "fem-explicit", "mpm-tl", "mpm-implicit"
+METHODS = (IMPLICIT, EXPLICIT, POINTS, IMPLICIT_POINTS)
+STATIC = (IMPLICIT, IMPLICIT_POINTS)
 
 Pace = Callable[[float], float]
 """Share of the prescribed velocities at a time [s]."""
@@ -71,7 +72,7 @@ class Reading:
             last = solver.time
             solver.advance(end)
             impulse += (solver.time - last) * solver.boundary_force(self._boundary)
-        if solver.method == IMPLICIT:
+        if solver.method in STATIC:
             return solver.ledger.external - before, solver.boundary_force(self._boundary)
         return solver.ledger.external - before, impulse / (end - began)
 
@@ -98,11 +99,11 @@ def _solver(method: str, body: Body):
     import mpm
 
     step, start = body.duration / body.rows, body.start * body.duration
-    if method == IMPLICIT:
-        loads = body.loads(lambda t: 1.0)
-        return fem.ImplicitSolver(
-            body.mesh, body.material, geometry=body.geometry, loads=loads, increment=step
-        )
+    if method in STATIC:
+        static = {"geometry": body.geometry, "loads": body.loads(lambda t: 1.0), "increment": step}
+        if method == IMPLICIT:
+            return fem.ImplicitSolver(body.mesh, body.material, **static)
+        return mpm.ImplicitSolver(body.mesh, body.material, cell_size=body.cell_size, **static)
     held = body.loads(lambda t: 0.0)
     material = slow_enough(body.mesh, body.material, held, body.duration, body.periods, body.geometry)
     loads = body.loads(lambda t: min(t / start, 1.0))

@@ -8,13 +8,14 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from core_models.errors import SceneError, UnsupportedError
+from core_models.errors import SceneError
 from core_models.names import suggestion
 from studies.output_folder import OutputFolder
+from studies.report.study_page import write_report
 from studies.run_record import to_json
 from studies.verification.outcome import Outcome
 from studies.verification.problem import Problem
-from studies.verification.report import Results, report_page
+from studies.verification.report import Results, report_of
 from studies.versions import processor, versions
 
 PROBLEMS = {
@@ -73,7 +74,7 @@ def verify(
     tell: Callable[[Problem, Outcome], None] = lambda problem, outcome: None,
     study: str = "verification",
 ) -> Results:
-    """Run problems of a study, in the order of their names here, and write results.json and report.html.
+    """Run problems of a study, in the order of their names here, and write results.json, tables and reports.
 
     tell : called with every problem as soon as it has run. Raises SceneError, OutputError before anything is run.
     """
@@ -85,12 +86,9 @@ def verify(
             results.append((problem, outcome))
             tell(problem, outcome)
         folder.write_text("results.json", to_json(_plain(results_entry(results, quick, study))))
-        try:
-            folder.write_text(
-                "report.html", report_page(results, quick, study.replace("-", " ").capitalize())
-            )
-        except UnsupportedError as reason:
-            results[-1][1].remarks.append(f"{reason}; results.json is complete")
+        remark = write_report(report_of(results, quick, study.replace("-", " ").capitalize()), folder)
+        if remark:
+            results[-1][1].remarks.append(remark)
     return results
 
 
