@@ -108,10 +108,6 @@ CLASHES = (
                 "leave objective_rate out: the rate is that of Green and Naghdi",
             ),
             (
-                "stability", PRESENT, "the stability checks know the continued flow of isotropic bodies alone",
-                "leave stability out",
-            ),
-            (
                 "expansion", PRESENT,
                 "thermal expansion acts through the equation of state, which an anisotropic body has not",
                 "leave the thermal expansion out",
@@ -198,21 +194,6 @@ CLASHES = (
         "expansion", PRESENT, "eos", (MieGruneisen, SpallingMieGruneisen),
         "mie_gruneisen has the thermal pressure in its energy",
         "leave the thermal expansion out",
-    ),
-    Clash(
-        "stability", PRESENT, "yield_condition", (*PRESSURE_DEPENDENT, *POROUS),
-        "the stability checks know the tangent of continued flow of von Mises' surface alone",
-        "take vonMises or leave stability out",
-    ),
-    Clash(
-        "stability", PRESENT, "damage", (VoidNucleation,),
-        "the stability checks know the tangent of continued flow of von Mises' surface alone",
-        "take vonMises or leave stability out",
-    ),
-    Clash(
-        "stability", PRESENT, "kinematic_hardening", PRESENT,
-        "the stability checks know the tangent of a surface that grows, not of one that moves",
-        "leave one of them out",
     ),
     Clash(
         "kinematic_hardening", PRESENT, "damage", (VoidNucleation,),

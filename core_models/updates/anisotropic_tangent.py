@@ -31,13 +31,14 @@ def _(update, rows, statuses, count, model, dt, start, stresses, tangents):
     for k in range(count):
         statuses[k], step = solved_step(update, rows, k, model, 1.0 / dt)
         if statuses[k] == OK:
-            linearise_point(update, rows, k, model, step, start + k, stresses, tangents)
+            flow = flow_before(model, step.before, step.volume_ratio_0)
+            linearise_point(update, rows, k, model, flow, step, start + k, stresses, tangents)
         complete_step(rows, k, model, None, dt, step)
 
 
 @inside_kernel
-def linearise_point(update, rows, k, model, step, place, stresses, tangents):
-    """Write first Piola stress and tangent of a point whose step has been solved.
+def linearise_point(update, rows, k, model, flow, step, place, stresses, tangents):
+    """Write first Piola stress and tangent of a point whose step has been solved with a flow law.
 
     In the axes of the material all comes from the change of the strain increment; the axes turn with R.
     """
@@ -51,7 +52,6 @@ def linearise_point(update, rows, k, model, step, place, stresses, tangents):
     put_stress(stresses, place, tau, inverse_f)
     motion = unrotated_motion(None, f0, f1, before.rotation)
     back = transposed(product(motion.rotation_before, problem.elastic.axes))
-    flow = flow_before(model, before, step.volume_ratio_0)
     is_weak = has_no_strength(model, before, step.volume_ratio_0)
     bulk = elastic_moduli(model.elasticity)[0]
     for number in range(9):

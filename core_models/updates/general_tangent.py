@@ -36,13 +36,17 @@ def _(update, rows, statuses, count, model, dt, start, stresses, tangents):
     for k in range(count):
         statuses[k], step = solved_step(update, rows, k, model, 1.0 / dt)
         if statuses[k] == OK:
-            linearise_point(update, rows, k, model, step, start + k, stresses, tangents)
+            flow = flow_before(model, step.before, step.prediction.volume_ratio_0)
+            law = model.yield_condition
+            linearise_point(update, rows, k, model, law, flow, step, start + k, stresses, tangents)
         complete_step(update, rows, k, model, None, dt, step)
 
 
 @inside_kernel
-def linearise_point(update, rows, k, model, step, place, stresses, tangents):
-    """Write first Piola stress and tangent of a point whose step has been solved."""
+def linearise_point(update, rows, k, model, yield_condition, flow, step, place, stresses, tangents):
+    """Write first Piola stress and tangent of a point whose step has been solved with a yield condition and a flow
+    law.
+    """
     before, prediction, problem, returned = step.before, step.prediction, step.problem, step.returned
     f0, f1 = get_tensor(rows, F0, k), get_tensor(rows, F1, k)
     j = prediction.volume_ratio_1
@@ -55,7 +59,6 @@ def linearise_point(update, rows, k, model, step, place, stresses, tangents):
     tau = scaled(stress, measure)
     put_stress(stresses, place, tau, inverse_f)
     motion = kinematics(update.kinematics, model, f0, f1, before, prediction)
-    flow = flow_before(model, before, prediction.volume_ratio_0)
     is_weak = has_no_strength(model, before, prediction.volume_ratio_0)
     for number in range(9):
         towards = direction(number, inverse_f, j)
@@ -65,7 +68,7 @@ def linearise_point(update, rows, k, model, step, place, stresses, tangents):
         mean_trial = returned.bulk * volume + returned.mean_stress * (volume - growth / measure)
         spin = spin_change(model.kinematic_hardening, update.kinematics, motion, f1, towards)
         deviator, mean_change = return_change(
-            model.yield_condition, model, flow, problem, returned, rows, k, trial.trial, trial.shear_3 * THIRD,
+            yield_condition, model, flow, problem, returned, rows, k, trial.trial, trial.shear_3 * THIRD,
             mean_trial, spin,
         )  # fmt: skip
         if is_weak:
