@@ -1,94 +1,166 @@
-"""Stability checks of laws whose return is a local problem: the tangent of continued flow, and where bands can form."""
+"""Stability checks with every yield condition: closed forms of Hill, Prager, and Rudnicki and Rice."""
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from core_models.damage.gurson import VoidNucleation
-from core_models.driver import drive
+from core_models import points as points_module
+from core_models.elasticity.cubic import CubicElastic
+from core_models.elasticity.isotropic import IsotropicElastic
+from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.flow.linear import LinearHardening
 from core_models.flow.voce import Voce
-from core_models.kinematic_hardening.armstrong_frederick import ArmstrongFrederick
+from core_models.kinematic_hardening.prager import Prager
+from core_models.material import Material
 from core_models.points import MaterialPoints
-from core_models.stability.drucker import DruckerStability
-from core_models.stability.hyperbolicity import HyperbolicityLoss
 from core_models.updates.continuing_tangent import continuing_tangents
+from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.yield_condition.drucker_prager import DruckerPrager
 from core_models.yield_condition.gurson import Gurson
 from core_models.yield_condition.mohr_coulomb import MohrCoulomb
+from core_models.yield_condition.von_mises import VonMises
+from studies.sample_laws import SAMPLES
+from tests.core_models.test_stability import BULK, LAWS, NU, PURE_SHEAR, SHEAR, TENSION, YIELD
 
-BULK, SHEAR, YIELD = 136.35e9, 45.45e9, 100e6
-NU = (3.0 * BULK - 2.0 * SHEAR) / (6.0 * BULK + 2.0 * SHEAR)
-GURSON = {
-    "yield_condition": Gurson(1.5, 1.0, 2.25, 4.0, 0.05),
-    "damage": VoidNucleation(0.02, 0.04, 0.1, 0.05),
-}
-LAWS = {
-    "gurson": GURSON,
-    "drucker-prager": {"yield_condition": DruckerPrager(0.2, 0.1)},
-    "mohr-coulomb": {"yield_condition": MohrCoulomb(30.0, 10.0)},
-    "back-stress": {"kinematic_hardening": ArmstrongFrederick(5e9, 20.0)},
-}
-
-pytestmark = pytest.mark.usefixtures("interpreted")
+ELASTIC = IsotropicElastic(BULK, SHEAR)
 
 
-# All principal stresses differ: at an edge of the pyramid the hardening would depend on the direction of the step.
-CHANGE = np.array([[0.01, 0.004, 0.0], [0.0, 0.001, 0.002], [0.0, 0.0, -0.012]])
+def flowing(strength, modulus):
+    """A flow law of this strength and slope at the start [Pa]."""
+    rate = 2.0 * abs(modulus) / strength
+    return Voce(strength, (1.5 if modulus >= 0.0 else 0.5) * strength, rate, 0.0)
 
 
-@pytest.mark.parametrize("update", ["hypo", "hyper"])
-@pytest.mark.parametrize("name", LAWS)
-def test_the_tangent_of_continued_flow_is_that_of_a_vanishing_step(copper, update, name):
-    """At constant rate and temperature the next little step in the same direction has the same tangent."""
-    flow = LinearHardening(400e6, 1e9)
-    points = MaterialPoints(copper(update, flow, stability=DruckerStability(), **LAWS[name]), np.ones(1))
-    points.deformation_gradient[0] += CHANGE
-    points.advance(1e-3)
-    points.accept()
-    stresses, continued, stepped = np.empty((1, 9)), np.empty((1, 9, 9)), np.empty((1, 9, 9))
-    kernel = getattr(continuing_tangents, "py_func", continuing_tangents)
-    f = points.old_deformation_gradient
-    kernel(0, 1, points._workspaces[0], points.model, f.reshape(1, 9), points.old, stresses, continued)
-    points.deformation_gradient[0] = f[0] + 1e-7 * CHANGE
-    points.linearise(1e-3, np.empty((1, 3, 3)), stepped)
-    assert continued[0] == pytest.approx(stepped[0], abs=1e-5 * SHEAR)
-    assert stresses.reshape(3, 3) == pytest.approx(first_piola(points), abs=1e-5 * YIELD)
+def body(condition, flow, law, **slots):
+    """Copper with a yield condition."""
+    laws = {"elasticity": ELASTIC, "eos": DefaultHypoelastic(BULK), "stability": LAWS[law]} | slots
+    return Material("body", 8930.0, HypoelasticPlastic(), flow=flow, yield_condition=condition, **laws)
 
 
-def first_piola(points):
-    """First Piola stress of the accepted state."""
-    f = points.old_deformation_gradient[0]
-    stress = points.old.stress[0][[[0, 3, 5], [3, 1, 4], [5, 4, 2]]]
-    return np.linalg.det(f) * stress @ np.linalg.inv(f).T
+def loaded(material, stress):
+    """A point of the material under a stress, elastic up to there."""
+    points = MaterialPoints(material, np.ones(1))
+    points.old.stress[0] = stress
+    pressure = stress[:3].mean()
+    points.old_deformation_gradient[0] *= np.exp(pressure / (3.0 * BULK))
+    return points
 
 
-@pytest.mark.parametrize("dilation", [0.0, 0.1, 0.2])
-def test_bands_form_in_frictional_bodies_where_rudnicki_and_rice_say(copper, dilation):
-    """In pure shear at h / G = (1 + nu) / 9 [(b - m)^2 / (1 - nu) - (b + m)^2 / 2], m = 3 alpha, b = 3 beta."""
-    mu, beta = 0.6, 3.0 * dilation
-    critical = SHEAR * (1.0 + NU) / 9.0 * ((beta - mu) ** 2 / (1.0 - NU) - 0.5 * (beta + mu) ** 2)
-    for margin in (-0.02 * SHEAR, 0.02 * SHEAR):
-        modulus = np.sqrt(3.0) * (critical + margin)
-        flow = Voce(YIELD, (1.0 + 0.5 * np.sign(modulus)) * YIELD, 2.0 * abs(modulus) / YIELD, 0.0)
-        condition = DruckerPrager(0.2, dilation)
-        points = MaterialPoints(
-            copper("hypo", flow, yield_condition=condition, stability=HyperbolicityLoss()), np.ones(1)
+def measure(condition, stress, strength, modulus, law, **slots):
+    """Stability of a point that lies on the surface under a stress, with a hardening modulus [Pa]."""
+    return loaded(body(condition, flowing(strength, modulus), law, **slots), stress).stability()[0]
+
+
+@pytest.mark.usefixtures("interpreted")
+@pytest.mark.parametrize("stress", [TENSION, PURE_SHEAR])
+@pytest.mark.parametrize("law", LAWS)
+def test_a_surface_that_hardly_moves_is_the_radial_one(stress, law):
+    """Von Mises with next to no back stress, and with an anisotropic law of isotropic constants."""
+    lame = BULK - 2.0 / 3.0 * SHEAR
+    crystal = CubicElastic(lame + 2.0 * SHEAR, lame, SHEAR, (1.0, 2.0, -2.0), (3.0, 0.0, 1.0))
+    for modulus in (5e9, -5e9):
+        radial = measure(VonMises(), stress, YIELD, modulus, law)
+        moving = measure(VonMises(), stress, YIELD, modulus, law, kinematic_hardening=Prager(1e-3))
+        assert moving == pytest.approx(radial, rel=1e-4, abs=1e-7)
+        turned = measure(VonMises(), stress, YIELD, modulus, law, elasticity=crystal, eos=None)
+        assert turned == pytest.approx(radial, abs=2e-2)
+
+
+@pytest.mark.usefixtures("interpreted")
+@pytest.mark.parametrize("law", LAWS)
+def test_heat_of_flow_softens_a_cone_as_it_does_the_cylinder(law):
+    """Johnson-Cook with heat at a rate of its own: von Mises and a cone without friction are the same."""
+    found = []
+    for condition in (VonMises(), DruckerPrager(0.0, 0.0, 1.0 / np.sqrt(3.0))):
+        slots = {slot: SAMPLES[slot][0] for slot in ("heating", "specific_heat", "melting")}
+        points = loaded(body(condition, SAMPLES["flow"][6], law, **slots), 2.0 * PURE_SHEAR)
+        points.old.temperature[0], points.old.equivalent_plastic_strain[0] = 600.0, 0.2
+        found.append(points.stability()[0])
+    assert found[1] == pytest.approx(found[0], rel=1e-5, abs=1e-8)
+
+
+@pytest.mark.usefixtures("interpreted")
+def test_pragers_modulus_hardens_as_the_flow_law_does():
+    """Drucker's measure is (H + C) / (3 G + H + C)."""
+    for modulus, prager in ((5e9, 2e9), (-5e9, 2e9), (-1e9, 8e9)):
+        total = modulus + prager
+        found = measure(VonMises(), TENSION, YIELD, modulus, "drucker", kinematic_hardening=Prager(prager))
+        assert found == pytest.approx(total / (3.0 * SHEAR + total), abs=2.0 * YIELD / SHEAR)
+
+
+@pytest.mark.usefixtures("interpreted")
+@pytest.mark.parametrize(("stress", "middle"), [(PURE_SHEAR, 0.0), (TENSION, -1.0 / np.sqrt(3.0))])
+@pytest.mark.parametrize(("alpha", "beta"), [(0.2, 0.2), (0.2, 0.05)])
+def test_bands_in_a_frictional_body_form_at_the_modulus_of_rudnicki_and_rice(stress, middle, alpha, beta):
+    """h / G = (1 + nu) / (9 (1 - nu)) (b - m)^2 - (1 + nu) / 2 [N + (b + m) / 3]^2, m = 3 alpha, b = 3 beta."""
+    m, b = 3.0 * alpha, 3.0 * beta
+    critical = (1.0 + NU) / (9.0 * (1.0 - NU)) * (b - m) ** 2 - 0.5 * (1.0 + NU) * (
+        middle + (b + m) / 3.0
+    ) ** 2
+    tau = np.sqrt(
+        1.5 * ((stress[:3] - stress[:3].mean()) ** 2).sum() + 3.0 * (stress[3:] ** 2).sum()
+    ) / np.sqrt(3.0)
+    strength = tau + alpha * stress[:3].sum()
+    for margin in (0.02, -0.02):
+        # h is the slope by dgamma = sqrt(3) d ep.
+        modulus = (critical + margin) * SHEAR * np.sqrt(3.0)
+        found = measure(DruckerPrager(alpha, beta), stress, strength, modulus, "acoustic")
+        assert np.sign(found) == np.sign(margin)
+        assert abs(found) > 1e-4
+
+
+@pytest.mark.usefixtures("interpreted")
+def test_flow_that_is_not_associated_lets_second_order_work_turn_negative():
+    """Drucker's measure is 0 for associated perfect plasticity, below it with less dilation than friction."""
+    sine = np.sin(np.radians(30.0))
+    strength = 0.5 * YIELD * (1.0 + sine) / np.cos(np.radians(30.0))
+    for associated, other in (
+        (measure(DruckerPrager(0.2, 0.2), TENSION, YIELD / np.sqrt(3.0) + 0.2 * YIELD, 0.0, "drucker"),
+         measure(DruckerPrager(0.2, 0.0), TENSION, YIELD / np.sqrt(3.0) + 0.2 * YIELD, 0.0, "drucker")),
+        (measure(MohrCoulomb(30, 30), TENSION, strength, 0.0, "drucker"),
+         measure(MohrCoulomb(30, 0), TENSION, strength, 0.0, "drucker")),
+    ):  # fmt: skip
+        assert associated == pytest.approx(0.0, abs=2.0 * YIELD / SHEAR)
+        assert other < -0.01
+
+
+@pytest.mark.usefixtures("interpreted")
+def test_a_point_inside_is_as_stable_as_at_rest_and_one_at_the_cut_off_is_not():
+    """The surface is where the point lies, cut-offs included."""
+    for condition in (DruckerPrager(0.2, 0.1, 1.0, 0.3e9), MohrCoulomb(30, 10, 0.3e9)):
+        material = body(condition, LinearHardening(3e9, 0.0), "drucker")
+        inside = loaded(material, np.array([0.299e9] * 3 + [0.0] * 3))
+        assert inside.stability()[0] == pytest.approx(1.0, abs=0.02)
+        assert loaded(material, np.array([0.3e9] * 3 + [0.0] * 3)).stability()[0] == pytest.approx(
+            0.0, abs=0.02
         )
-        points.old.stress[0, 3] = YIELD
-        assert points.stability()[0] * margin > 0.0
 
 
-def test_growing_voids_make_a_hardening_body_unstable(copper):
-    """Pulled without contraction the matrix hardens and the body softens: Drucker's measure is lost."""
-    laws = {
-        "yield_condition": Gurson(1.5, 1.0, 2.25, 4.0, 0.05),
-        "damage": VoidNucleation(0.01, 0.0, 0.3, 0.1),
-    }
-    material = copper("hypo", LinearHardening(400e6, 400e6), stability=DruckerStability(), **laws)
-    path = np.tile(np.eye(3), (11, 1, 1))
-    path[:, 0, 0] += np.linspace(0.0, 0.015, 11)
-    history = drive(material, path, 1e-3)
-    top = history.stress[:, 0].argmax()
-    lost = np.flatnonzero(history.fields["stability"] <= 0.0)[0]
-    assert history.fields["stability"][0] == pytest.approx(1.0, abs=1e-12) and 1 < lost <= top < 10
-    assert np.all(history.fields["stability"][lost:] < 0.0)
+@pytest.mark.usefixtures("interpreted")
+def test_voids_take_stability_away():
+    """In a porous body under triaxial tension the measures fall with the porosity."""
+    stress = TENSION + np.array([2.0 * YIELD] * 3 + [0.0] * 3)
+    found = []
+    for porosity in (1e-4, 0.02, 0.1):
+        damage = SAMPLES["damage"][3]._replace(initial_porosity=porosity, f_n=0.0)
+        condition = Gurson(1.5, 1.0, 2.25, 1.0, 0.5)
+        points = loaded(body(condition, flowing(1e6, 0.0), "drucker", damage=damage), stress)
+        found.append(points.stability()[0])
+    assert 0.0 > found[0] > found[1] > found[2]
+
+
+def test_the_compiled_tangent_is_that_of_plain_python(monkeypatch):
+    """Of a cone at different shears, with a back stress."""
+    material = body(
+        DruckerPrager(0.2, 0.1), LinearHardening(YIELD, 1e9), "drucker", kinematic_hardening=Prager(1e9)
+    )
+    points = MaterialPoints(replace(material), np.ones(30))
+    points.deformation_gradient[:, 0, 1] = np.linspace(0.0, 0.1, points.n)
+    points.advance(1.0)
+    points.accept()
+    compiled = points.stability()
+    kernel = getattr(continuing_tangents, "py_func", continuing_tangents)
+    monkeypatch.setattr(points_module, "continuing_tangents", kernel)
+    assert points.stability() == pytest.approx(compiled, rel=1e-9)
+    assert compiled[0] == pytest.approx(1.0) and compiled[-1] < 0.2
