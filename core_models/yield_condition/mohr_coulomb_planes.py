@@ -228,13 +228,15 @@ def _flow_under(law, model, problem, values, planes, gammas, cohesion, limit):
             excess(law, planes[1], now.stress, cohesion),
             excess(law, planes[2], now.stress, cohesion),
         )
-        if max(abs(right[0]), abs(right[1]), abs(right[2])) <= limit:
-            return True, gammas, now
+        # One step more, to round-off: cohesion that rises steeply with the rate feels the last digit of the increment.
+        is_near = max(abs(right[0]), abs(right[1]), abs(right[2])) <= limit
         matrix = slopes_of_excess(law, problem, planes, now, 0.0)
         det = determinant(matrix)
         if det == 0.0 or not math.isfinite(det):
-            break
+            return is_near, gammas, now
         step = solved(matrix, det, right)
         gammas = (gammas[0] + step[0], gammas[1] + step[1], gammas[2] + step[2])
         now = flowing(law, model, problem, values, planes, gammas)
+        if is_near:
+            return True, gammas, now
     return False, gammas, now
