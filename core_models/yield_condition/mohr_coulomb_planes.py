@@ -189,8 +189,9 @@ def flow_on(law, model, flow, problem, values, planes):
     low, high, tried = 0.0, 2.0 * (values[0] - values[2]) / problem.shear, 0.0
     gammas = (0.0, 0.0, 0.0)
     at = strength(flow, problem, 0.0)
+    bulk = mean_stress(model.eos, problem, problem.volume)[1]
     for _iteration in range(2 * MAXIMUM_ITERATIONS):
-        limit = allowance(problem, at.stress, problem.shear)
+        limit = allowance(problem, at.stress, bulk)
         converged, gammas, now = _flow_under(law, model, problem, values, planes, gammas, at.stress, limit)
         if not converged:
             break
