@@ -12,11 +12,10 @@ Exit status: 0; 2 bad input; 3 when no run came to an end.
 """
 
 import argparse
-import sys
 from pathlib import Path
 
 from studies.default_folder import default_folder
-from studies.options import names, positive, whole_numbers
+from studies.options import add_json_option, names, positive, whole_numbers
 
 NOTHING = 3
 
@@ -35,34 +34,38 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--out", metavar="DIR", help="new or empty folder (default: results/work-precision-DATE-TIME)"
     )
+    add_json_option(parser)
 
 
 def execute(options: argparse.Namespace) -> int:
     """Measure, print the tables of times and where the report is."""
     from core_models.walls import check_wall
     from studies.report.study_text import table_text
-    from studies.work_precision.study import compare_work, find_problem
+    from studies.study_output import print_study
+    from studies.tally import Tally
+    from studies.work_precision.study import compare_work, find_problem, planned
 
     wall = None if options.wall is None else check_wall(options.wall)
     problem = find_problem(options.scene, wall)
     out = Path(options.out or default_folder("work-precision"))
+    tally = Tally(len(planned(problem, options.methods, options.resolutions)))
     outcome = compare_work(
         problem,
         out,
         variants=options.methods,
         resolutions=options.resolutions,
         repeats=options.repeats,
-        tell=_tell,
+        tell=lambda run: tally.tell(_said(run)),
     )
-    for section in outcome.report.sections:
-        if section.name.startswith("reach-"):
-            print(f"{section.title}\n{table_text(section.tables[0])}\n")
-    if outcome.remark:
-        print(f"matpoint: {outcome.remark}", file=sys.stderr)
-    print(out / ("report.md" if outcome.remark else "report.html"))
+    text = "\n\n".join(
+        f"{section.title}\n{table_text(section.tables[0])}"
+        for section in outcome.report.sections
+        if section.name.startswith("reach-")
+    )
+    print_study(out, text, outcome.remark, as_json=options.json)
     return 0 if any(run.values for run in outcome.runs) else NOTHING
 
 
-def _tell(run) -> None:
-    said = f"{run.seconds:.2f} s" if run.values else run.message[:120]
-    print(f"{run.variant} {run.resolution}: {said}", file=sys.stderr, flush=True)
+def _said(run) -> str:
+    said = f"{run.seconds:.2f} s" if run.values else run.message
+    return f"{run.variant} {run.resolution}: {said}"
