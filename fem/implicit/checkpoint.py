@@ -14,6 +14,7 @@ from core_models.checkpoint import (
 )
 
 VALUES = ("positions", "_velocity", "_forces", "time", "step_count", "point_updates")
+CONDUCTION = ("temperatures",)
 ROUTE = ("load_time", "load_rate")
 
 
@@ -22,11 +23,13 @@ class RestartableIncrements:
 
     def checkpoint(self) -> Checkpoint:
         """Copies of everything that the increments to come depend on: the last converged state."""
+        heat = {} if self._conduction is None else values_of(self._conduction, CONDUCTION)
         return {
             **values_of(self, VALUES),
             **under("points", points_checkpoint(self.points)),
             **under("body", values_of(self._body, ("scales",))),
             **under("supports", values_of(self._supports, ("reactions",))),
+            **under("conduction", heat),
             **under("route", values_of(self._route, ROUTE)),
             **under("increments", values_of(self._increments, ("next",))),
             **under("ledger", ledger_checkpoint(self._ledger)),
@@ -42,6 +45,8 @@ class RestartableIncrements:
         restore_points(self.points, part_of(checkpoint, "points"))
         put_values(self._body, ("scales",), part_of(checkpoint, "body"))
         put_values(self._supports, ("reactions",), part_of(checkpoint, "supports"))
+        if self._conduction is not None:
+            put_values(self._conduction, CONDUCTION, part_of(checkpoint, "conduction"))
         put_values(self._route, ROUTE, part_of(checkpoint, "route"))
         put_values(self._increments, ("next",), part_of(checkpoint, "increments"))
         restore_ledger(self._ledger, part_of(checkpoint, "ledger"))

@@ -35,6 +35,7 @@ from fem.cures.choice import NODAL, cures_of, find_cure, make_cure
 from fem.elements import FULL, is_one_point_brick
 from fem.hourglass import DEFAULT
 from fem.implicit.checkpoint import RestartableIncrements
+from fem.implicit.conduction import ImplicitConduction
 from fem.implicit.frequency import lowest_frequency
 from fem.implicit.load_limit import ADVICE, growing_loads
 from fem.implicit.path import Path, make_measure
@@ -54,8 +55,9 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
 
     Parameters
     ----------
-    mesh, material, geometry, temperature, loads, threads, integration, cure : as `fem.ExplicitSolver` takes them, but
-    for nodal averages and one-point quads and hexahedra, which have no tangent here, and Damping, which is dynamic.
+    mesh, material, geometry, temperature, loads, threads, conduction, integration, cure : as `fem.ExplicitSolver` takes
+    them, but for nodal averages and one-point quads and hexahedra, which have no tangent here, and Damping, which is
+    dynamic. Heat is conducted after each increment, by backward Euler.
     increment : of time to take [s], > 0; it is cut on failure, and grows again on ease. smallest : below it the run
     gives up [s]; by default 1e-6 of the increment.
     tolerance : on the residual, relative to all forces on nodes, in [1e-12, 1e-3]. iterations : allowed per increment.
@@ -89,6 +91,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
         linear_solver: str | None = None,
         log: FilePath | str | None = None,
         path: Path | None = None,
+        conduction: bool = False,
     ) -> None:
         check_between("tolerance", tolerance, 1e-12, 1e-3)
         if temperature is not None:
@@ -96,7 +99,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
         self.geometry = find_geometry(geometry, mesh.dimension)
         check_plane(material, self.geometry)
         self.mesh = axisymmetric(mesh) if geometry in (None, "axisymmetric") and mesh.dimension == 2 else mesh
-        check_loads(loads, self.mesh, self.geometry)
+        check_loads(loads, self.mesh, self.geometry, conduction=conduction)
         if any(isinstance(load, Damping) for load in loads):
             raise SceneError("Damping does nothing without motion: take it off, or use fem.ExplicitSolver")
         self.material = material
@@ -106,7 +109,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
         self._body = Body(self.mesh, material, self.geometry, integration, self.cure, DEFAULT, self.threads)
         self.mass = float(self._body.nodal_mass.sum())
         volumes = self._body.space.tables.weights.ravel()
-        self.points = MaterialPoints(material, volumes, temperature, None, self.threads)
+        self.points = MaterialPoints(material, volumes, temperature, None, self.threads, conduction)
         self.points.connect(self.reference_positions)
         self.positions = self.mesh.points.copy()
         self._supports = Supports(loads, self.mesh, self.geometry)
@@ -127,6 +130,11 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
             measure = make_measure(path, self.mesh, self._supports)
             self._route = PathRoute(PathNewton(measure, *newton))
         self._increments = Increments(increment, smallest)
+        self._conduction = None
+        if conduction:
+            self._conduction = ImplicitConduction(
+                self.mesh, self.geometry, integration, self._body, self.points, self._loads, linear_solver
+            )
         self._forces, self._velocity = np.zeros_like(self.positions), np.zeros_like(self.positions)
         self.time, self.step_count, self.point_updates = 0.0, 0, 0
         self._ledger = EnergyLedger(0.0, 0.0)
@@ -237,6 +245,8 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
         self.points.accept()
         self._body.accept()
         self._route.accept(dt)
+        if self._conduction is not None:
+            ledger.heat += self._conduction.advance(dt, self.time)
         self.time, self.step_count = end, self.step_count + 1
 
     def _refuse_free_motion(self) -> None:
