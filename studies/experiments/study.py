@@ -9,6 +9,7 @@ from studies.experiments.predictions import CARDS, predict
 from studies.experiments.shots import read_shots
 from studies.experiments.tables import sections
 from studies.report.study_page import Report, write_report
+from studies.run_record import to_json
 from studies.study_folder import study_folder
 from studies.sweep.job import COMPLETE, Job
 from studies.sweep.sweep import run_sweep
