@@ -42,9 +42,9 @@ from fem.implicit.path import Path, make_measure
 from fem.implicit.route import PathRoute, Route, TimeRoute
 from fem.implicit.system import ElementSystem
 from fem.shape_readout import ShapeReadout
+from fem.single_body import refuse_several_bodies
 from fem.supports import Supports
 from meshes.axisymmetric import axisymmetric
-from meshes.bodies import bodies_of_nodes
 from meshes.mesh import Mesh
 
 CHECKS = "check supports and loads, and the mesh where it is worst"
@@ -99,6 +99,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
         self.geometry = find_geometry(geometry, mesh.dimension)
         check_plane(material, self.geometry)
         self.mesh = axisymmetric(mesh) if geometry in (None, "axisymmetric") and mesh.dimension == 2 else mesh
+        refuse_several_bodies(self.mesh)
         check_loads(loads, self.mesh, self.geometry, conduction=conduction)
         if any(isinstance(load, Damping) for load in loads):
             raise SceneError("Damping does nothing without motion: take it off, or use fem.ExplicitSolver")
@@ -250,8 +251,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
         self.time, self.step_count = end, self.step_count + 1
 
     def _refuse_free_motion(self) -> None:
-        bodies = bodies_of_nodes(self.mesh.cells, len(self.mesh.points))
-        motion = free_motion(self.mesh.points, self._system.fixed, bodies, self.geometry)
+        motion = free_motion(self.mesh.points, self._system.fixed, self.geometry)
         if motion:
             raise SingularStiffness(
                 f"nothing holds the {motion}: the stiffness is singular; add Fixed, Prescribed or Symmetry"

@@ -1,0 +1,15 @@
+"""Finite elements have no contact between bodies: a mesh is one body."""
+
+from core_models.errors import UnsupportedError
+from meshes.bodies import bodies_of_nodes
+from meshes.mesh import Mesh
+
+
+def refuse_several_bodies(mesh: Mesh) -> None:
+    """Refuse bodies that would pass through each other; UnsupportedError."""
+    count = int(bodies_of_nodes(mesh.cells, len(mesh.points)).max()) + 1
+    if count > 1:
+        raise UnsupportedError(
+            f"{mesh.source}: {count} bodies, between which finite elements have no contact: give one body, merge nodes "
+            "that coincide, or use mpm, where bodies meet in one velocity field"
+        )
