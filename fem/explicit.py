@@ -201,7 +201,9 @@ class ExplicitSolver(Restartable, Readout):
     def _resist(self) -> None:
         """All forces and the stable step at the present positions."""
         limit = math.inf if self._conduction is None else self._conduction.limit
-        self.time_step = self.safety * min(self._body.resist(self.positions, self.points), limit)
+        step = self.safety * min(self._body.resist(self.positions, self.points), limit)
+        if step < math.inf:  # debris of a body that erosion has deleted sets no limit: the last one holds
+            self.time_step = step
         self._ledger.hourglass = self._body.hourglass_energy
         self._loads = self._external.at(self.positions, self.time)
         self._damping = damping_rate(self._mass_damping, self.time)
