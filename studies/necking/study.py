@@ -69,11 +69,7 @@ def study_necking(
         folder.write_text(SETTINGS, settings)
         jobs = [Job(plan.name.replace(":", "-"), perform_run, (str(name), plan.name)) for plan in plans]
         results = dict(
-            zip(
-                (plan.name for plan in plans),
-                run_sweep(jobs, folder, workers=workers, tell=tell),
-                strict=True,
-            )
+            zip((plan.name for plan in plans), run_sweep(jobs, folder, workers=workers, tell=tell), strict=True)
         )
         runs = {name: run_from(each) for name, each in results.items() if each["status"] == COMPLETE}
         failures = {name: each["message"] for name, each in results.items() if name not in runs}
@@ -84,7 +80,9 @@ def study_necking(
 
 
 def _write(folder: OutputFolder, problem: Problem, outcome: Outcome, quick: bool) -> None:
-    folder.write_text("results.json", to_json(plain(results_entry([(problem, outcome)], quick, "necking"))))
+    folder.write_text(
+        "results.json", to_json(plain(results_entry([(problem, outcome)], quick, "necking")))
+    )
     try:
         folder.write_text("report.html", report_page([(problem, outcome)], quick, "Necking"))
     except UnsupportedError as reason:
