@@ -24,6 +24,7 @@ from core_models.rows import make_workspace
 from core_models.state import State
 from core_models.status import MEANING, OK
 from core_models.threads import Threads
+from core_models.updates import continuing_general  # noqa: F401
 from core_models.updates.continuing_tangent import continuing_tangents
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
@@ -176,7 +177,7 @@ class MaterialPoints:
         )
         cauchy = np.einsum("n,niJ,njJ->nij", over_volume, stresses, f)
         shear = material.shear_at_rest(material.room_temperature)
-        bulk = pressure(material.eos, 1.0, 0.0)[1]
+        bulk = bulk_at_rest(material)
         return stability_measure(material.stability, spatial, cauchy, bulk, shear)
 
     def _outcome(self) -> Work:
@@ -290,9 +291,11 @@ def initial_wave_speed(material: Material) -> float:
     if isinstance(material.update, StVenantKirchhoff) or has_anisotropic_return(material):
         return float(np.sqrt(largest_modulus(stiffness(material.elasticity)) / material.density))
     shear = material.shear_at_rest(material.room_temperature)
-    bulk = (
-        elastic_moduli(material.elasticity)[0]
-        if material.eos is None
-        else pressure(material.eos, 1.0, 0.0)[1]
-    )
-    return float(np.sqrt((bulk + 4.0 / 3.0 * shear) / material.density))
+    return float(np.sqrt((bulk_at_rest(material) + 4.0 / 3.0 * shear) / material.density))
+
+
+def bulk_at_rest(material: Material) -> float:
+    """Bulk modulus of the unstressed material [Pa]."""
+    if material.eos is None:
+        return elastic_moduli(material.elasticity)[0]
+    return pressure(material.eos, 1.0, 0.0)[1]

@@ -49,4 +49,9 @@ class RestartableIncrements:
             put_values(getattr(self, part), names, part_of(checkpoint, part.lstrip("_")))
 
     def _parts(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
-        return ("_supports", ("reactions",)), ("_increments", ("next",)), *self.OWN
+        return (
+            ("_supports", ("reactions",)),
+            ("_increments", ("next",)),
+            ("_route", ("load_time", "load_rate")),
+            *self.OWN,
+        )

@@ -66,7 +66,11 @@ from core_models.updates.hyperelastic_plastic import HyperelasticPlastic, unimod
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.updates.prediction import NO_STRESS, Prediction, has_no_strength, put_prediction
 from core_models.updates.turning import step_rotation
-from core_models.yield_condition import von_mises_moving  # noqa: F401
+from core_models.yield_condition import (  # noqa: F401
+    drucker_prager_return,
+    mohr_coulomb_return,
+    von_mises_moving,
+)
 
 
 class General(NamedTuple):

@@ -1,7 +1,7 @@
 """Implicit quasi-static finite elements: equilibrium at the end of every increment by Newton's method."""
 
 import math
-from pathlib import Path
+from pathlib import Path as FilePath
 
 import numpy as np
 
@@ -22,6 +22,8 @@ from fem.cures.choice import NODAL, cures_of, find_cure, make_cure
 from fem.elements import FULL, is_one_point_brick
 from fem.hourglass import DEFAULT
 from fem.implicit.frequency import lowest_frequency
+from fem.implicit.load_limit import ADVICE, growing_loads
+from fem.implicit.path import Path, make_measure
 from fem.implicit.system import ElementSystem
 from fem.shape_readout import ShapeReadout
 from fem.supports import Supports
@@ -40,8 +42,10 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
     increment : of time to take [s], > 0; it is cut on failure, and grows again on ease. smallest : below it the run
     gives up [s]; by default 1e-6 of the increment.
     tolerance : on the residual, relative to all forces on nodes, in [1e-12, 1e-3]. iterations : allowed per increment.
-    linear_solver : 'scipy', 'pardiso', or None for PARDISO where it can be imported. log : file for the convergence log
-    in JSON lines, or None; `log.records` and `log.text()` hold it in any case.
+    linear_solver : 'scipy', 'pardiso', 'petsc', or None for PARDISO where it can be imported, else SciPy. log : file
+    for the convergence log in JSON lines, or None; `log.records` and `log.text()` hold it in any case.
+    path : None, `PathLength` or `BoundaryMotion`: forces then grow and fall as equilibrium asks for, the body moves on;
+    `time` is that of the motion, and `load_time` that at which loads are taken.
 
     Time is that of the histories of supports and loads, and of rate-dependent laws. A body force at current positions
     has no stiffness of its own, so that it costs iterations.
@@ -50,6 +54,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
 
     method = "fem-implicit"
     OWN = (("_body", ("scales",)),)
+    ADVICE = ADVICE
 
     def __init__(
         self,
@@ -67,7 +72,8 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
         tolerance: float = 1e-8,
         iterations: int = 20,
         linear_solver: str | None = None,
-        log: Path | str | None = None,
+        log: FilePath | str | None = None,
+        path: Path | None = None,
     ) -> None:
         if temperature is not None:
             check_between("temperature", temperature, 0.0, math.inf, "K")
@@ -87,8 +93,9 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
         self.points.connect(self.reference_positions)
         supports = Supports(loads, self.mesh, self.geometry)
         projection = make_cure(self.cure, self.mesh, self._body.space)
+        self._loads = tuple(loads)
         system = ElementSystem(
-            self.mesh, self.geometry, self._body, projection, self.points, material, supports, tuple(loads),
+            self.mesh, self.geometry, self._body, projection, self.points, material, supports, self._loads,
             self.threads,
         )  # fmt: skip
         pattern = Pattern(system.tables, ~system.fixed.ravel(), self.threads)
@@ -96,6 +103,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
         self._start(
             self.mesh.points, bodies, system, supports, pattern, increment=increment, smallest=smallest,
             tolerance=tolerance, iterations=iterations, linear_solver=linear_solver, log=log,
+            measure=None if path is None else make_measure(path, self.mesh, supports),
         )  # fmt: skip
 
     @property
@@ -110,7 +118,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
         """
         self._refuse_free_motion()
         system = self._system
-        system.balance(self.positions, self.time, 1.0)
+        system.balance(self.positions, self.load_time, 1.0)
         free = ~system.fixed
         masses = np.broadcast_to(self.nodal_mass[:, None], free.shape)[free]
         return lowest_frequency(self._pattern, system.stiffness(), masses)
@@ -118,6 +126,10 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
     def _accept(self, places: np.ndarray, dt: float, end: float) -> None:
         super()._accept(places, dt, end)
         self._body.accept()
+
+    def _growing(self, before: float, after: float) -> str:
+        times = before, after
+        return growing_loads(self._loads, self.mesh, self.geometry, self.nodal_mass, self.positions, times)
 
     def _whereabouts(self, point: int) -> str:
         return f" (element {point // (self.points.n // len(self.mesh.cells))})"

@@ -168,7 +168,8 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
         self._carry()
 
     def _carry(self) -> None:
-        """Let the particles go where the grid is."""
+        """Let the particles go where the grid is; their velocities are those of the last increment."""
         system = self._system
-        self.positions[:] = np.einsum("pa,pai->pi", system.values, self._places[system.nodes])
+        for of_particles, of_grid in ((self.positions, self._places), (self.velocities, self._velocity)):
+            of_particles[:] = np.einsum("pa,pai->pi", system.values, of_grid[system.nodes])
         self.volume_ratio = self.points.volume_ratio

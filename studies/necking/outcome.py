@@ -1,8 +1,7 @@
-"""What the runs of a necking scene say: criteria, tables, curves over each other, pictures."""
+"""What the runs of a necking scene say: criteria, tables, curves over each other."""
 
 from studies.bar_necking import at_elongation
 from studies.necking.curves import read_curve
-from studies.necking.pictures import final_shapes
 from studies.necking.scene import STRIP, NeckingScene
 from studies.necking.verdicts import SCALES, Runs, criteria_of, limits_table, shown_name, value_of
 from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
@@ -11,7 +10,8 @@ from studies.verification.variant import FEM, MPM
 MARKS = 7  # elongations in the tables
 
 NECK = {
-    "centre_plastic_strain": ("plastic strain, centre", 1.0), "surface_plastic_strain": ("plastic strain, surface", 1.0),
+    "centre_plastic_strain": ("plastic strain, centre", 1.0),
+    "surface_plastic_strain": ("plastic strain, surface", 1.0),
     "centre_triaxiality": ("triaxiality, centre", 1.0), "surface_triaxiality": ("triaxiality, surface", 1.0),
     "flow_stress": ("flow stress, centre [MPa]", 1e-6), "bridgman_flow": ("flow stress by Bridgman [MPa]", 1e-6),
     "axial_stress": ("axial stress, centre [MPa]", 1e-6), "bridgman_axial": ("axial stress by Bridgman [MPa]", 1e-6),
@@ -40,7 +40,6 @@ def outcome_of(scene: NeckingScene, runs: Runs, failures: dict[str, str]) -> Out
         _plot(scene, runs, "neck_radius", "neck radius [mm]", 1e3),
         _plot(scene, runs, "centre_triaxiality", "triaxiality at the centre", 1.0),
     ]
-    outcome.pictures = final_shapes(scene, runs)
     outcome.remarks = [f"{plan.label}: {plan.note}." for plan in plans if plan.note]
     outcome.seconds = sum(run.seconds for run in runs.values())
     return outcome

@@ -14,8 +14,10 @@ from studies.report.comparison_tables import (
     references_table,
 )
 from studies.report.convergence_plots import convergence_plots
+from studies.report.difference_maps import difference_maps, difference_table
 from studies.report.field_pictures import field_pictures
 from studies.report.history_plots import energy_plots, history_plots
+from studies.report.over_time import over_time
 from studies.report.profile_plots import profile_plots
 from studies.report.study_page import AGREE, APART, NEUTRAL, Report, Section, Verdict
 
@@ -60,11 +62,20 @@ def _results(comparison: Comparison) -> tuple[Section, ...]:
         f"grey: values from elsewhere. {wall}"
     )
     heights = "Heights count from the foot: the median over the inner half of its radius."
+    moving = over_time(comparison)
     notes = " ".join([LIMIT, heights, *quantity_notes(comparison)])
     return (
         Section("short", "In short", verdicts=tuple(_verdicts(comparison))),
         Section(
             "shapes", "Final shapes", figures=tuple(field_pictures(comparison)), caption=_ends(comparison)
+        ),
+        Section(
+            "time",
+            "Over time",
+            remarks=(moving.remark,) if moving.remark else (),
+            controls=moving.player,
+            figures=moving.figures,
+            caption=moving.caption,
         ),
         Section("profiles", "Profiles", figures=tuple(profile_plots(comparison)), caption=profiles),
         Section(
@@ -72,6 +83,12 @@ def _results(comparison: Comparison) -> tuple[Section, ...]:
             "Quantities",
             (quantities_table(comparison, notes),),
             data=(quantity_data(comparison),),
+        ),
+        Section(
+            "differences",
+            "Difference of the final fields",
+            (difference_table(comparison),),
+            figures=tuple(difference_maps(comparison)),
         ),
         Section("references", "Against values from elsewhere", (references_table(comparison),)),
         Section(

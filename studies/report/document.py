@@ -83,6 +83,7 @@ def _section(each: Section, places: dict[str, str]) -> str:
         _verdicts(each.verdicts),
         *tables,
         "" if paired else "".join(_download(*file) for file in names),
+        each.controls,
         panels(
             [
                 *(plot_svg(plot, each.name) for plot in each.plots if plot.curves),

@@ -22,8 +22,8 @@ class Section:
     """A heading with sentences, verdicts, tables and figures.
 
     name : of its CSV files and its place on the page. lead : what it is about. plots : curves. pictures : fields on
-    bodies. figures : ready pieces of HTML, shown after both. caption : below the figures. data : tables for the CSV
-    files, with all digits and in SI units; without them those that are shown.
+    bodies. figures : ready pieces of HTML, shown after both. controls : HTML above them. caption : below them. data :
+    tables for the CSV files, with all digits and in SI units; without them those that are shown.
     """
 
     name: str
@@ -34,6 +34,7 @@ class Section:
     lead: str = ""
     verdicts: tuple[Verdict, ...] = ()
     figures: tuple[str, ...] = ()
+    controls: str = ""
     caption: str = ""
     data: tuple[Table, ...] = ()
     pictures: tuple[Picture, ...] = ()

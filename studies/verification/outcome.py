@@ -80,6 +80,6 @@ class Outcome:
     criteria: list[Criterion] = field(default_factory=list)
     tables: list[Table] = field(default_factory=list)
     plots: list[Plot] = field(default_factory=list)
-    pictures: list[Picture] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
+    pictures: list[Picture] = field(default_factory=list)
     seconds: float = 0.0

@@ -3,6 +3,7 @@
 examples:
   matpoint study stability --quick
   matpoint study stability --cases taylor-600,erosion --methods fem-explicit,mpm,mpm:total
+  matpoint study stability --resume results/stability
 
 Each cell runs in a process of its own with limits of time and memory. --quick makes a tenth of the steps.
 Exit status: 0 when no cell has failed (a refusal by a typed error is none); 1 when some has; 2 bad input.
@@ -23,9 +24,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--quick", action="store_true", help="a tenth of the steps")
     parser.add_argument("--cases", metavar="NAME[,NAME...]", type=names, help="these cases (default: all)")
     parser.add_argument("--methods", metavar="A[,B...]", type=names, help="variants (default: ten)")
-    parser.add_argument(
+    folder = parser.add_mutually_exclusive_group()
+    folder.add_argument(
         "--out", metavar="DIR", help="new or empty folder (default: results/stability-DATE-TIME)"
     )
+    folder.add_argument("--resume", metavar="DIR", help="go on with the same study in this folder")
 
 
 def execute(options: argparse.Namespace) -> int:
@@ -33,9 +36,14 @@ def execute(options: argparse.Namespace) -> int:
     from studies.report.study_text import table_text
     from studies.stability.study import survey_stability
 
-    out = Path(options.out or default_folder("stability"))
+    out = Path(options.resume or options.out or default_folder("stability"))
     outcome = survey_stability(
-        out, quick=options.quick, cases=options.cases, variants=options.methods, tell=_tell
+        out,
+        quick=options.quick,
+        cases=options.cases,
+        variants=options.methods,
+        going_on=options.resume is not None,
+        tell=_tell,
     )
     print(table_text(outcome.report.sections[0].tables[0]))
     if outcome.remark:

@@ -6,8 +6,9 @@ examples:
   matpoint study work-precision my_scene.xml --resolutions 4,6,8,12,16 --repeats 5
 
 SCENE is vibrating-bar or vortex, which have exact answers, a shipped scene, or a scene's file. Every variant is run at
-five or more resolutions on one thread, one run at a time, compiled beforehand. What a scene gives no published value
-for is held against the joint extrapolation of all runs.
+five or more resolutions on one thread, one run at a time, compiled beforehand, and its finest once more on all threads.
+What a scene gives no published value for is held against the joint extrapolation of all runs. --resume goes on with the
+same study where it was stopped.
 Exit status: 0; 2 bad input; 3 when no run came to an end.
 """
 
@@ -33,8 +34,13 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--wall", metavar="NAME", help="unilateral or plane (default: the scene's)")
     parser.add_argument("--repeats", metavar="N", type=positive, default=3, help="of each run (default: 3)")
     parser.add_argument(
+        "--threads", metavar="N", type=positive, help="of each variant's finest run once more (default: all)"
+    )
+    folder = parser.add_mutually_exclusive_group()
+    folder.add_argument(
         "--out", metavar="DIR", help="new or empty folder (default: results/work-precision-DATE-TIME)"
     )
+    folder.add_argument("--resume", metavar="DIR", help="go on with the same study in this folder")
 
 
 def execute(options: argparse.Namespace) -> int:
@@ -45,18 +51,22 @@ def execute(options: argparse.Namespace) -> int:
 
     wall = None if options.wall is None else check_wall(options.wall)
     problem = find_problem(options.scene, wall)
-    out = Path(options.out or default_folder("work-precision"))
+    out = Path(options.resume or options.out or default_folder("work-precision"))
     outcome = compare_work(
         problem,
         out,
         variants=options.methods,
         resolutions=options.resolutions,
         repeats=options.repeats,
+        threads=options.threads,
+        going_on=options.resume is not None,
         tell=_tell,
     )
     for section in outcome.report.sections:
         if section.name.startswith("reach-"):
             print(f"{section.title}\n{table_text(section.tables[0])}\n")
+        if section.name == "verdict":
+            print("".join(f"{sentence}\n" for sentence in section.remarks))
     if outcome.remark:
         print(f"matpoint: {outcome.remark}", file=sys.stderr)
     print(out / ("report.md" if outcome.remark else "report.html"))
@@ -65,4 +75,5 @@ def execute(options: argparse.Namespace) -> int:
 
 def _tell(run) -> None:
     said = f"{run.seconds:.2f} s" if run.values else run.message[:120]
-    print(f"{run.variant} {run.resolution}: {said}", file=sys.stderr, flush=True)
+    on = f" on {run.threads} threads" if run.threads > 1 else ""
+    print(f"{run.variant} {run.resolution}{on}: {said}", file=sys.stderr, flush=True)
