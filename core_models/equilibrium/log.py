@@ -27,7 +27,8 @@ class Start:
 class Iteration:
     """One evaluation of the balance of forces.
 
-    increment, attempt, iteration : counted from 1, 0 and 0. time : at the end of the increment, step : its size [s].
+    increment, attempt, iteration : counted from 1, 0 and 0. time : of the loads, which is the end of the increment
+    unless a path is followed, step : size of the increment [s].
     residual : Euclidean norm of the forces out of balance [N]; relative : over that of all forces on nodes.
     energy : |residual before . correction| that led here [J]. worst : largest force out of balance [N], at `node` along
     `component`. length : of the line search, 1 for a whole correction. plastic : points that flow; same : whether they

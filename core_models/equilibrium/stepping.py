@@ -11,18 +11,19 @@ from core_models.equilibrium.free_motion import free_motion
 from core_models.equilibrium.increments import Increments
 from core_models.equilibrium.linear_solvers import make_linear_solver
 from core_models.equilibrium.log import CONVERGED, CUT, ConvergenceLog, Increment, Start
+from core_models.equilibrium.measures import Measure
 from core_models.equilibrium.newton import Attempt, Newton, System
+from core_models.equilibrium.path import PathNewton
 from core_models.equilibrium.pattern import Pattern
+from core_models.equilibrium.route import Held, PathRoute, Route, TimeRoute
 from core_models.equilibrium.stalled import Stalled
-from core_models.errors import SceneError, SingularStiffness
+from core_models.errors import LoadBeyondEquilibrium, NoEquilibrium, SceneError, SingularStiffness
 from core_models.ledger import EnergyLedger
 from core_models.loads import Damping, Load
 from core_models.points import PointFailure, Work
 from core_models.redo import step_within
 
-# Gauss-Legendre on [0, 1]: the displacement that prescribed velocities add up to within an increment.
-_TIMES = (0.5 - math.sqrt(0.15), 0.5, 0.5 + math.sqrt(0.15))
-_SHARES = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
+CHECKS = "check supports and loads, and the mesh where it is worst"
 
 
 class LoadedSystem(System, Protocol):
@@ -36,40 +37,25 @@ class LoadedSystem(System, Protocol):
     work: Work
 
 
-class Held(Protocol):
-    """Supports of the nodes.
-
-    fixed (n, d) : which components are given. given (n, d) : velocities of these [m/s]. reactions (n, d) : forces [N],
-    None where nothing is held.
-    """
-
-    fixed: np.ndarray
-    given: np.ndarray
-    reactions: np.ndarray | None
-
-    def move_to(self, time: float) -> None:
-        """Take the velocities at a time [s]."""
-
-    def reaction(self, boundary: str) -> np.ndarray:
-        """Sum of the reactions (d,) of a boundary [N]."""
-
-
 class QuasiStatic:
     """Equilibrium at the end of every increment: the part of a solver that `advance` needs.
 
     The solver has `method`, `geometry`, `material`, `threads` and `points`, calls `_start`, and says what its nodes are
-    and where a point is.
+    and where a point is. ADVICE : what to try where loads grow beyond what the body carries.
     """
+
+    ADVICE = "prescribe displacements"
 
     def _start(
         self, nodes: np.ndarray, bodies: np.ndarray, system: LoadedSystem, supports: Held, pattern: Pattern, *,
         increment: float, smallest: float | None, tolerance: float, iterations: int, linear_solver: str | None,
-        log: Path | str | None, condition: float | None = None,
+        log: Path | str | None, condition: float | None = None, measure: Measure | None = None,
     ) -> None:  # fmt: skip
         """Begin at time 0.
 
         nodes (n, d) : positions in the reference body [m]. bodies (n,) : number of the body of each. condition : number
-        of the stiffness at the start, for the log.
+        of the stiffness at the start, for the log. measure : of the way along a path of equilibrium, None for
+        loads that follow their histories in time.
         """
         check_between("tolerance", tolerance, 1e-12, 1e-3)
         self._nodes, self._bodies = nodes, bodies
@@ -77,7 +63,12 @@ class QuasiStatic:
         linear = make_linear_solver(linear_solver, pattern)
         self.log = ConvergenceLog(log)
         self.log.add(Start(self.method, pattern.size, len(pattern.columns), linear.name, condition))
-        self._newton = Newton(system, pattern, linear, self.log, tolerance, iterations)
+        newton = (system, pattern, linear, self.log, tolerance, iterations)
+        self._route: Route = (
+            TimeRoute(Newton(*newton), supports)
+            if measure is None
+            else PathRoute(PathNewton(measure, *newton))
+        )
         self._increments = Increments(increment, smallest)
         self._places = nodes.copy()
         self._forces, self._velocity = np.zeros_like(nodes), np.zeros_like(nodes)
@@ -88,6 +79,11 @@ class QuasiStatic:
     def time_step(self) -> float:
         """The next increment to try [s]."""
         return self._increments.next
+
+    @property
+    def load_time(self) -> float:
+        """Time at which loads are taken [s]: `time`, unless a path is followed."""
+        return self._route.load_time
 
     @property
     def linear_solver(self) -> str:
@@ -126,7 +122,7 @@ class QuasiStatic:
             end = limit if dt == limit - self.time else self.time + dt
             attempt = Attempt(self.step_count + 1, number, end, dt)
             try:
-                places, corrections = self._attempt(attempt)
+                places, corrections = self._route.attempt(self._places, self._velocity, attempt)
                 break
             except (Stalled, PointFailure) as reason:
                 why = self._describe(reason)
@@ -135,24 +131,30 @@ class QuasiStatic:
                     for each in self.log.iterations
                 )
                 self._end(attempt, iterations, CUT, why)
-                dt = self._increments.cut(dt, why, self._place(attempt))
+                dt = self._cut(attempt, why)
                 number += 1
         self._accept(places, dt, end)
         self.point_updates += self.points.n * (corrections + 1)
         self._end(attempt, corrections, CONVERGED)
         self._increments.converged(dt, corrections)
 
-    def _attempt(self, attempt: Attempt) -> tuple[np.ndarray, int]:
-        target = self._places + self._prescribed(attempt.step)
-        return self._newton.solve(self._places + attempt.step * self._velocity, target, attempt)
+    def _cut(self, attempt: Attempt, why: str) -> float:
+        """A smaller increment; NoEquilibrium with what to try where there is none."""
+        place = f"increment {attempt.increment}, t = {attempt.time:.6e} s (material {self.material.name})"
+        try:
+            return self._increments.cut(attempt.step, f"{place}: {why}")
+        except NoEquilibrium as reason:
+            growing = isinstance(self._route, TimeRoute) and self._growing(self.load_time, attempt.time)
+            if not growing:
+                raise NoEquilibrium(f"{reason}: {CHECKS}") from None
+            raise LoadBeyondEquilibrium(
+                f"{reason}. No equilibrium was found under more than {growing}: if that is all the body carries, "
+                f"{self.ADVICE}; else {CHECKS}"
+            ) from None
 
-    def _prescribed(self, dt: float) -> np.ndarray:
-        """Displacements (n, d) [m] of the supports within the next dt [s]; 0 for free components."""
-        supports, total = self._supports, np.zeros_like(self._places)
-        for place, share in zip(_TIMES, _SHARES, strict=True):
-            supports.move_to(self.time + place * dt)
-            total += share * dt * supports.given
-        return np.where(supports.fixed, total, 0.0)
+    def _growing(self, before: float, after: float) -> str:
+        """Loads that differ between two times [s], in words; '' if none does."""
+        return ""
 
     def _accept(self, places: np.ndarray, dt: float, end: float) -> None:
         system, ledger = self._system, self._ledger
@@ -166,6 +168,7 @@ class QuasiStatic:
             loads = 0.0 if system.loads is None else system.loads
             self._supports.reactions[:] = np.where(system.fixed, -system.forces - loads, 0.0)
         self.points.accept()
+        self._route.accept(dt)
         self.time, self.step_count = end, self.step_count + 1
 
     def _free_motion(self) -> str:
@@ -186,9 +189,6 @@ class QuasiStatic:
     def _whereabouts(self, point: int) -> str:
         """What else there is to say about where a point is."""
         return ""
-
-    def _place(self, attempt: Attempt) -> str:
-        return f"increment {attempt.increment}, t = {attempt.time:.6e} s (material {self.material.name})"
 
     def _end(self, attempt: Attempt, iterations: int, outcome: str, reason: str = "") -> None:
         self.log.add(

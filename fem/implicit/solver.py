@@ -1,7 +1,7 @@
 """Implicit quasi-static finite elements: equilibrium at the end of every increment by Newton's method."""
 
 import math
-from pathlib import Path
+from pathlib import Path as FilePath
 
 import numpy as np
 
@@ -21,7 +21,10 @@ from fem.body import Body
 from fem.cures.choice import NODAL, cures_of, find_cure, make_cure
 from fem.elements import FULL, is_one_point_brick
 from fem.hourglass import DEFAULT
+from fem.implicit.conduction import ImplicitConduction
 from fem.implicit.frequency import lowest_frequency
+from fem.implicit.load_limit import ADVICE, growing_loads
+from fem.implicit.path import Path, make_measure
 from fem.implicit.system import ElementSystem
 from fem.shape_readout import ShapeReadout
 from fem.supports import Supports
@@ -35,13 +38,16 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
 
     Parameters
     ----------
-    mesh, material, geometry, temperature, loads, threads, integration, cure : as `fem.ExplicitSolver` takes them, but
-    for nodal averages and one-point quads and hexahedra, which have no tangent here, and Damping, which is dynamic.
+    mesh, material, geometry, temperature, loads, threads, conduction, integration, cure : as `fem.ExplicitSolver` takes
+    them, but for nodal averages and one-point quads and hexahedra, which have no tangent here, and Damping, which is
+    dynamic. Heat is conducted after each increment, by backward Euler.
     increment : of time to take [s], > 0; it is cut on failure, and grows again on ease. smallest : below it the run
     gives up [s]; by default 1e-6 of the increment.
     tolerance : on the residual, relative to all forces on nodes, in [1e-12, 1e-3]. iterations : allowed per increment.
-    linear_solver : 'scipy', 'pardiso', or None for PARDISO where it can be imported. log : file for the convergence log
-    in JSON lines, or None; `log.records` and `log.text()` hold it in any case.
+    linear_solver : 'scipy', 'pardiso', 'petsc', or None for PARDISO where it can be imported, else SciPy. log : file
+    for the convergence log in JSON lines, or None; `log.records` and `log.text()` hold it in any case.
+    path : None, `PathLength` or `BoundaryMotion`: forces then grow and fall as equilibrium asks for, the body moves on;
+    `time` is that of the motion, and `load_time` that at which loads are taken.
 
     Time is that of the histories of supports and loads, and of rate-dependent laws. A body force at current positions
     has no stiffness of its own, so that it costs iterations.
@@ -49,7 +55,8 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
     """
 
     method = "fem-implicit"
-    OWN = (("_body", ("scales",)),)
+    OWN = (("_body", ("scales",)), ("_conduction", ("temperatures",)))
+    ADVICE = ADVICE
 
     def __init__(
         self,
@@ -67,14 +74,16 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
         tolerance: float = 1e-8,
         iterations: int = 20,
         linear_solver: str | None = None,
-        log: Path | str | None = None,
+        log: FilePath | str | None = None,
+        path: Path | None = None,
+        conduction: bool = False,
     ) -> None:
         if temperature is not None:
             check_between("temperature", temperature, 0.0, math.inf, "K")
         self.geometry = find_geometry(geometry, mesh.dimension)
         check_plane(material, self.geometry)
         self.mesh = axisymmetric(mesh) if geometry in (None, "axisymmetric") and mesh.dimension == 2 else mesh
-        check_loads(loads, self.mesh, self.geometry)
+        check_loads(loads, self.mesh, self.geometry, conduction=conduction)
         refuse_damping(loads, "fem.ExplicitSolver")
         self.material = material
         self.cure = find_cure(cure, mesh.kind, integration)
@@ -83,12 +92,13 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
         self._body = Body(self.mesh, material, self.geometry, integration, self.cure, DEFAULT, self.threads)
         self.mass = float(self._body.nodal_mass.sum())
         volumes = self._body.space.tables.weights.ravel()
-        self.points = MaterialPoints(material, volumes, temperature, None, self.threads)
+        self.points = MaterialPoints(material, volumes, temperature, None, self.threads, conduction)
         self.points.connect(self.reference_positions)
         supports = Supports(loads, self.mesh, self.geometry)
         projection = make_cure(self.cure, self.mesh, self._body.space)
+        self._loads = tuple(loads)
         system = ElementSystem(
-            self.mesh, self.geometry, self._body, projection, self.points, material, supports, tuple(loads),
+            self.mesh, self.geometry, self._body, projection, self.points, material, supports, self._loads,
             self.threads,
         )  # fmt: skip
         pattern = Pattern(system.tables, ~system.fixed.ravel(), self.threads)
@@ -96,7 +106,13 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
         self._start(
             self.mesh.points, bodies, system, supports, pattern, increment=increment, smallest=smallest,
             tolerance=tolerance, iterations=iterations, linear_solver=linear_solver, log=log,
+            measure=None if path is None else make_measure(path, self.mesh, supports),
         )  # fmt: skip
+        self._conduction = None
+        if conduction:
+            self._conduction = ImplicitConduction(
+                self.mesh, self.geometry, integration, self._body, self.points, self._loads, linear_solver
+            )
 
     @property
     def positions(self) -> np.ndarray:
@@ -110,14 +126,21 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
         """
         self._refuse_free_motion()
         system = self._system
-        system.balance(self.positions, self.time, 1.0)
+        system.balance(self.positions, self.load_time, 1.0)
         free = ~system.fixed
         masses = np.broadcast_to(self.nodal_mass[:, None], free.shape)[free]
         return lowest_frequency(self._pattern, system.stiffness(), masses)
 
     def _accept(self, places: np.ndarray, dt: float, end: float) -> None:
+        start = self.time
         super()._accept(places, dt, end)
         self._body.accept()
+        if self._conduction is not None:
+            self._ledger.heat += self._conduction.advance(dt, start)
+
+    def _growing(self, before: float, after: float) -> str:
+        times = before, after
+        return growing_loads(self._loads, self.mesh, self.geometry, self.nodal_mass, self.positions, times)
 
     def _whereabouts(self, point: int) -> str:
         return f" (element {point // (self.points.n // len(self.mesh.cells))})"

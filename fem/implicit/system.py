@@ -24,6 +24,7 @@ from meshes.mesh import Mesh
 UNLOADED = (
     1e-6  # strain below which a body's forces may be round-off: its residual is measured by this strain's
 )
+RAMP = 1e-3  # of an increment: time within which loads are taken to change evenly
 
 
 class ElementSystem:
@@ -79,6 +80,12 @@ class ElementSystem:
         if self.loads is not None:
             residual, square = residual - self.loads, square + float((self.loads**2).sum())
         return Balance(residual, max(square**0.5, self._smallest), self._flowing())
+
+    def load_slope(self, x: np.ndarray, time: float, step: float) -> np.ndarray:
+        """d loads / d time (n, d) [N/s] at x (n, d) [m], from the loads at `time` and a little later than that."""
+        later = RAMP * step
+        before, after = self._external.at(x, time), self._external.at(x, time + later)
+        return np.zeros(x.shape) if before is None else (after - before) / later
 
     def stiffness(self) -> list[np.ndarray]:
         """d residual / d x where `balance` has been last: blocks for each of `tables` [N/m]."""

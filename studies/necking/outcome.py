@@ -1,8 +1,7 @@
-"""What the runs of a necking scene say: criteria, tables, curves over each other, pictures."""
+"""What the runs of a necking scene say: criteria, tables, curves over each other."""
 
 from studies.bar_necking import at_elongation
 from studies.necking.curves import read_curve
-from studies.necking.pictures import final_shapes
 from studies.necking.scene import STRIP, NeckingScene
 from studies.necking.verdicts import SCALES, Runs, criteria_of, limits_table, shown_name, value_of
 from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
@@ -11,7 +10,8 @@ from studies.verification.variant import FEM, MPM
 MARKS = 7  # elongations in the tables
 
 NECK = {
-    "centre_plastic_strain": ("plastic strain, centre", 1.0), "surface_plastic_strain": ("plastic strain, surface", 1.0),
+    "centre_plastic_strain": ("plastic strain, centre", 1.0),
+    "surface_plastic_strain": ("plastic strain, surface", 1.0),
     "centre_triaxiality": ("triaxiality, centre", 1.0), "surface_triaxiality": ("triaxiality, surface", 1.0),
     "flow_stress": ("flow stress, centre [MPa]", 1e-6), "bridgman_flow": ("flow stress by Bridgman [MPa]", 1e-6),
     "axial_stress": ("axial stress, centre [MPa]", 1e-6), "bridgman_axial": ("axial stress by Bridgman [MPa]", 1e-6),
@@ -34,13 +34,14 @@ def outcome_of(scene: NeckingScene, runs: Runs, failures: dict[str, str]) -> Out
     ]
     plans = [plan for plan in scene.runs if plan.name in runs]
     outcome.tables = [_quantities(scene, runs), limits_table(scene, runs), _cost(scene, runs)]
-    outcome.tables += [_in_the_neck(scene, plan.label, runs[plan.name]) for plan in plans if _shown(plan, plans)]
+    outcome.tables += [
+        _in_the_neck(scene, plan.label, runs[plan.name]) for plan in plans if _shown(plan, plans)
+    ]
     outcome.plots = [
         _plot(scene, runs, "force", "force [kN]", 1e-3),
         _plot(scene, runs, "neck_radius", "neck radius [mm]", 1e3),
         _plot(scene, runs, "centre_triaxiality", "triaxiality at the centre", 1.0),
     ]
-    outcome.pictures = final_shapes(scene, runs)
     outcome.remarks = [f"{plan.label}: {plan.note}." for plan in plans if plan.note]
     outcome.seconds = sum(run.seconds for run in runs.values())
     return outcome
@@ -72,7 +73,9 @@ def _quantities(scene: NeckingScene, runs: Runs) -> Table:
         (label, *(None if row[i] is None else SCALES.get(columns[i][0], (1.0,))[0] * row[i] for i in kept))
         for label, row in values.items()
     ]
-    note = "Elongations are those of one half; force and neck radius at an elongation by linear interpolation."
+    note = (
+        "Elongations are those of one half; force and neck radius at an elongation by linear interpolation."
+    )
     if scene.body == STRIP:
         note += " Of a strip: the force on a quarter of 1 m thickness, and half the width."
     return Table("Quantities", tuple(head), tuple(rows), note)
@@ -84,7 +87,12 @@ def _in_the_neck(scene: NeckingScene, label: str, run) -> Table:
     for u in _marks(scene):
         values = [at_elongation(run.history, name, u) for name in names]
         if None not in values:
-            rows.append((f"{1e3 * u:.3g} mm", *(NECK[name][1] * value for name, value in zip(names, values, strict=True))))
+            rows.append(
+                (
+                    f"{1e3 * u:.3g} mm",
+                    *(NECK[name][1] * value for name, value in zip(names, values, strict=True)),
+                )
+            )
     head = ("elongation", *(NECK[name][0] for name in names))
     note = (
         "Bridgman: from the mean axial stress over the neck's section and the measured profile, the flow stress by his "

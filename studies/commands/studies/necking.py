@@ -31,19 +31,17 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--quick", action="store_true", help="the scene's quick runs only")
     parser.add_argument("--workers", metavar="N", type=positive, help="processes (default: one a processor)")
     folder = parser.add_mutually_exclusive_group()
-    folder.add_argument(
-        "--out", metavar="DIR", help="new or empty folder (default: results/SCENE-DATE-TIME)"
-    )
+    folder.add_argument("--out", metavar="DIR", help="new or empty folder (default: results/SCENE-DATE-TIME)")
     folder.add_argument("--resume", metavar="DIR", help="go on with the study in this folder")
 
 
 def execute(options: argparse.Namespace) -> int:
     """Make the runs that are not made yet, print the verdicts and where the report is."""
     from studies.necking.study import study_necking
-    from studies.verification.text import outcome_text
+    from studies.verification.text import criterion_text
 
     out = Path(options.resume or options.out or default_folder(Path(options.scene).stem))
-    problem, outcome = study_necking(
+    outcome = study_necking(
         options.scene,
         out,
         methods=options.methods,
@@ -52,7 +50,12 @@ def execute(options: argparse.Namespace) -> int:
         workers=options.workers,
         tell=_tell,
     )
-    print(outcome_text(problem, outcome))
+    met = sum(criterion.met for criterion in outcome.criteria)
+    print(
+        f"{options.scene}: {met} of {len(outcome.criteria)} criteria met, {outcome.seconds:.0f} s of processor time"
+    )
+    for criterion in outcome.criteria:
+        print(f"  {'met' if criterion.met else 'not met'}: {criterion_text(criterion)}")
     page = out / "report.html"
     print(page if page.exists() else out / "results.json")
     return 0 if all(criterion.met for criterion in outcome.criteria) else UNMET
