@@ -15,12 +15,6 @@ from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
 from core_models.eos.spalling_mie_gruneisen import SpallingMieGruneisen
-from core_models.flow.anand import Anand
-from core_models.flow.johnson_cook import JohnsonCook
-from core_models.flow.mts import MechanicalThreshold
-from core_models.flow.preston_tonks_wallace import PrestonTonksWallace
-from core_models.flow.steinberg_cochran_guinan import SteinbergCochranGuinan
-from core_models.flow.zerilli_armstrong import ZerilliArmstrong
 from core_models.heating.isentropic import IsentropicHeating
 from core_models.heating.taylor_quinney import TaylorQuinney
 from core_models.shear_modulus.nadal_le_poac import NadalLePoac
@@ -46,9 +40,6 @@ SLOTS_OF_A_SPLIT = (
 )  # fmt: skip
 POROUS = (Gurson,)
 PRESSURE_DEPENDENT = (DruckerPrager, MohrCoulomb)
-RATE_DEPENDENT = (
-    Anand, JohnsonCook, MechanicalThreshold, PrestonTonksWallace, SteinbergCochranGuinan, ZerilliArmstrong,
-)  # fmt: skip
 
 
 class Clash(NamedTuple):
@@ -114,10 +105,6 @@ CLASHES = (
                 "objective_rate", PRESENT,
                 "the axes of an anisotropic material turn with R of F = V R, and so must its stress",
                 "leave objective_rate out: the rate is that of Green and Naghdi",
-            ),
-            (
-                "stability", PRESENT, "the stability checks know the continued flow of isotropic bodies alone",
-                "leave stability out",
             ),
             (
                 "expansion", PRESENT,
@@ -208,31 +195,23 @@ CLASHES = (
         "leave the thermal expansion out",
     ),
     Clash(
-        "stability", PRESENT, "yield_condition", (*PRESSURE_DEPENDENT, *POROUS),
-        "the stability checks know the tangent of continued flow of von Mises' surface alone",
-        "take vonMises or leave stability out",
-    ),
-    Clash(
-        "stability", PRESENT, "damage", (VoidNucleation,),
-        "the stability checks know the tangent of continued flow of von Mises' surface alone",
-        "take vonMises or leave stability out",
-    ),
-    Clash(
-        "stability", PRESENT, "kinematic_hardening", PRESENT,
-        "the stability checks know the tangent of a surface that grows, not of one that moves",
-        "leave one of them out",
-    ),
-    Clash(
         "kinematic_hardening", PRESENT, "damage", (VoidNucleation,),
-        "back stresses move the surface of von Mises", "take vonMises or leave kinematic_hardening out",
+        "a porous body has the back stress of its matrix, for which gurson has no law",
+        "take vonMises or drucker_prager, or leave kinematic_hardening out",
     ),
     Clash(
-        "kinematic_hardening", PRESENT, "yield_condition", (*PRESSURE_DEPENDENT, *POROUS, *ABSENT),
-        "back stresses move the surface of von Mises", "take vonMises or leave kinematic_hardening out",
+        "kinematic_hardening", PRESENT, "yield_condition", POROUS,
+        "a porous body has the back stress of its matrix, for which gurson has no law",
+        "take vonMises or drucker_prager, or leave kinematic_hardening out",
     ),
     Clash(
-        "kinematic_hardening", PRESENT, "objective_rate", PRESENT,
-        "back stresses turn with the rate of Green and Naghdi", "leave objective_rate or kinematic_hardening out",
+        "kinematic_hardening", PRESENT, "yield_condition", (MohrCoulomb,),
+        "back stresses grow along the flow of a round surface, and that on the planes of Mohr-Coulomb leads elsewhere",
+        "take vonMises or drucker_prager, or leave kinematic_hardening out",
+    ),
+    Clash(
+        "kinematic_hardening", PRESENT, "yield_condition", ABSENT,
+        "back stresses move a yield surface, and there is none", "add a flow law or leave kinematic_hardening out",
     ),
     Clash(
         "yield_condition", POROUS, "damage", (JohnsonCookDamage, HancockMackenzieDamage, SandiaDamage, *ABSENT),
@@ -241,21 +220,6 @@ CLASHES = (
     Clash(
         "damage", (VoidNucleation,), "yield_condition", (VonMises, *PRESSURE_DEPENDENT, *ABSENT),
         "these voids act through the yield condition", "take the yield condition gurson",
-    ),
-    Clash(
-        "yield_condition", POROUS, "flow", (Anand,),
-        "the porous yield condition measures stresses by the flow stress, and Anand's matrix has none at rest",
-        "take a flow law with a yield stress",
-    ),
-    Clash(
-        "damage", (VoidNucleation,), "flow", (Anand,),
-        "the porous yield condition measures stresses by the flow stress, and Anand's matrix has none at rest",
-        "take a flow law with a yield stress",
-    ),
-    Clash(
-        "yield_condition", PRESSURE_DEPENDENT, "flow", RATE_DEPENDENT,
-        "the strength of a frictional material feels no strain rate here",
-        "take perfect, isotropic_hardening, power_law, voce, thermal_voce or tabulated",
     ),
     Clash(
         "damage", PRESENT, "flow", ABSENT, "damage grows with plastic strain", "add a flow law or leave damage out"

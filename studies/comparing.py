@@ -42,8 +42,22 @@ def compare(
         runs = [_one(scene, *job, wall, threads, folder, progress) for job in plan]
         comparison = conclude(scene, wall, runs)
         folder.write_text("results.json", to_json(results(comparison)))
+        _maps(comparison, folder)
         _report(comparison, folder)
     return comparison
+
+
+def _maps(comparison: Comparison, folder: OutputFolder) -> None:
+    """Both fields and their difference over the undeformed bar, and on the first method's final shape."""
+    if comparison.maps is None:
+        return
+    from meshes.io import write_domains_vtu
+
+    maps, data = comparison.maps, comparison.maps.cell_data()
+    write_domains_vtu(folder.file("difference.vtu"), maps.cells, data)
+    final = comparison.finest[0].final
+    deformed = {name: values[maps.cell_of] for name, values in data.items()}
+    write_domains_vtu(folder.file("difference-deformed.vtu"), final.domains, deformed)
 
 
 def _report(comparison: Comparison, folder: OutputFolder) -> None:
@@ -62,6 +76,7 @@ def results(comparison: Comparison) -> dict:
         "runs": [run_entry(run) for run in comparison.runs],
         "limits": {m: {q: asdict(e) for q, e in of.items()} for m, of in comparison.limits.items()},
         "differences": [asdict(each) for each in comparison.differences],
+        "fields": [] if comparison.maps is None else [asdict(each) for each in comparison.maps.gaps],
         "profiles": [asdict(each) for each in comparison.profiles],
         "references": [asdict(each) for each in comparison.references],
         "versions": versions(),

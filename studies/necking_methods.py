@@ -71,7 +71,9 @@ def _mpm_implicit(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     import mpm
 
     lines = [np.linspace(0.0, scene.radius, plan.across + 1), _graded(scene.length, plan.along, plan.grading)]
-    return _static(scene, plan, lambda body, **options: mpm.ImplicitSolver(body, cell_size=lines, **options))
+    return _static(
+        scene, plan, lambda body, **options: mpm.ImplicitSolver(body, cell_size=lines, **options)
+    )
 
 
 def _fem_explicit(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
@@ -87,9 +89,7 @@ def _total_mpm(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     # The grid's nodes lie half a cell off the symmetry plane: a row of them has to lie on the end that is pulled.
     size = scene.length / (plan.along + 0.5)
     return _explicit(
-        scene,
-        plan,
-        lambda body, **options: mpm.Solver(body, cell_size=size, configuration="total", **options),
+        scene, plan, lambda body, **options: mpm.Solver(body, cell_size=size, configuration="total", **options)
     )
 
 
@@ -98,7 +98,9 @@ def _updated_mpm(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     import mpm
 
     size = scene.length / (plan.along + 0.5)
-    return _explicit(scene, plan, lambda body, **options: mpm.Solver(body, cell_size=size, **options), CROWD)
+    return _explicit(
+        scene, plan, lambda body, **options: mpm.Solver(body, cell_size=size, **options), CROWD
+    )
 
 
 CROWD = 2  # elements that particles are seeded from along the axis of a cell: each holds two
@@ -163,7 +165,8 @@ def _explicit(scene: NeckingScene, plan: PlannedRun, make: Callable, crowd: int 
 def _slowed(scene: NeckingScene, periods: float) -> Material:
     """The material with its mass scaled by the lowest mode, which a coarse mesh has as well as a fine one."""
     coarse = body_of(scene, PlannedRun("", "", 3, 12))
-    return slow_enough(coarse, scene.material, loads_of(scene, 0.0), scene.duration, periods)
+    loads = loads_of(scene, 0.0)
+    return slow_enough(coarse, scene.material, loads, scene.duration, periods, _geometry(scene))
 
 
 def _shape(solver) -> tuple[np.ndarray, np.ndarray]:

@@ -14,19 +14,26 @@ LARGEST_SHARE = 0.002
 
 
 def slow_enough(
-    mesh: Mesh, material: Material, loads: tuple[Load, ...], duration: float, periods: float
+    mesh: Mesh,
+    material: Material,
+    loads: tuple[Load, ...],
+    duration: float,
+    periods: float,
+    geometry: str | None = None,
 ) -> Material:
     """The material with its mass scaled so that loading takes so many periods of the body's lowest natural mode.
 
         density = density_0 (duration w / (2 pi periods))^2
 
-    duration : of the loading [s]. The time step grows as the root of the density, so that the number of steps is that
-    of `periods` periods of the real body, while rate-dependent laws see the real rates. The heat capacity of the volume
-    stays. Only for laws whose stress does not depend on the density; UnsupportedError for a specific heat that varies.
+    duration : of the loading [s]. geometry : as the solvers take it. The time step grows as the root of the density, so
+    that the number of steps is that of `periods` periods of the real body, while rate-dependent laws see the real
+    rates. The heat capacity of the volume stays. Only for laws whose stress does not depend on the density;
+    UnsupportedError for a specific heat that varies.
     """
     import fem
 
-    frequency = fem.ImplicitSolver(mesh, material, loads=loads, increment=duration).lowest_frequency()
+    solver = fem.ImplicitSolver(mesh, material, geometry=geometry, loads=loads, increment=duration)
+    frequency = solver.lowest_frequency()
     factor = duration * frequency / (2.0 * math.pi * periods)
     heat = material.specific_heat
     if heat is not None:

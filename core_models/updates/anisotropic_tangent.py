@@ -2,7 +2,7 @@
 
 from core_models.compilation import inside_kernel
 from core_models.elasticity.stiffness import stressed
-from core_models.laws import elastic_moduli
+from core_models.laws import elastic_moduli, is_out
 from core_models.rows import F0, F1, get_tensor
 from core_models.status import OK
 from core_models.tensors import (
@@ -19,24 +19,39 @@ from core_models.tensors import (
 )
 from core_models.updates.anisotropic_plastic import AnisotropicPlastic, carried, complete_step, solved_step
 from core_models.updates.anisotropic_return import anisotropic_change
+from core_models.updates.balance import leave_behind
 from core_models.updates.conditions import flow_before
+from core_models.updates.corotation import forth
 from core_models.updates.hypoelastic_tangent import strain_change, unrotated_motion
 from core_models.updates.prediction import NO_STRESS, has_no_strength
-from core_models.updates.tangent import direction, linearise_rows, put_change, put_stress, transported
+from core_models.updates.tangent import (
+    direction,
+    linearise_rows,
+    put_change,
+    put_nothing,
+    put_stress,
+    transported,
+)
 
 
 @linearise_rows.register(AnisotropicPlastic)
 def _(update, rows, statuses, count, model, dt, start, stresses, tangents):
     for k in range(count):
         statuses[k], step = solved_step(update, rows, k, model, 1.0 / dt)
+        if is_out(model.erosion, step.before.damage):
+            statuses[k] = OK
+            leave_behind(rows, k, step.before)
+            put_nothing(stresses, tangents, start + k)
+            continue
         if statuses[k] == OK:
-            linearise_point(update, rows, k, model, step, start + k, stresses, tangents)
+            flow = flow_before(model, step.before, step.volume_ratio_0)
+            linearise_point(update, rows, k, model, flow, step, start + k, stresses, tangents)
         complete_step(rows, k, model, None, dt, step)
 
 
 @inside_kernel
-def linearise_point(update, rows, k, model, step, place, stresses, tangents):
-    """Write first Piola stress and tangent of a point whose step has been solved.
+def linearise_point(update, rows, k, model, flow, step, place, stresses, tangents):
+    """Write first Piola stress and tangent of a point whose step has been solved with a flow law.
 
     In the axes of the material all comes from the change of the strain increment; the axes turn with R.
     """
@@ -50,7 +65,6 @@ def linearise_point(update, rows, k, model, step, place, stresses, tangents):
     put_stress(stresses, place, tau, inverse_f)
     motion = unrotated_motion(None, f0, f1, before.rotation)
     back = transposed(product(motion.rotation_before, problem.elastic.axes))
-    flow = flow_before(model, before, step.volume_ratio_0)
     is_weak = has_no_strength(model, before, step.volume_ratio_0)
     bulk = elastic_moduli(model.elasticity)[0]
     for number in range(9):
@@ -72,8 +86,5 @@ def linearise_point(update, rows, k, model, step, place, stresses, tangents):
 @inside_kernel
 def spinning(increment, spin):
     """The tensor dR R^T of dQ = Q [spin], R_1 = Q R_0."""
-    q = increment
-    x = q[0] * spin[0] + q[1] * spin[1] + q[2] * spin[2]
-    y = q[3] * spin[0] + q[4] * spin[1] + q[5] * spin[2]
-    z = q[6] * spin[0] + q[7] * spin[1] + q[8] * spin[2]
+    x, y, z = forth(increment, spin)
     return (0.0, -z, y, z, 0.0, -x, -y, x, 0.0)

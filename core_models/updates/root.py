@@ -13,5 +13,5 @@ def next_guess(guess, residual, slope, low, high):
     the root: there a step in the logarithm of the unknown does not overshoot. A guess out of the bracket halves it.
     """
     step = -residual / slope
-    better = guess + step if residual > 0.0 else guess * math.exp(step / guess)
+    better = guess + step if residual > 0.0 else guess * math.exp(min(step / guess, 0.0))
     return better if low < better < high else 0.5 * (low + high)

@@ -8,7 +8,7 @@ from importlib.resources import files
 from studies.report.markdown import csv_text
 from studies.report.markup import items, note, panels, section, table
 from studies.report.study_page import AGREE, APART, Report, Section, Verdict
-from studies.verification.figures import plot_svg
+from studies.verification.figures import picture_svg, plot_svg
 from studies.verification.outcome import Table
 from studies.verification.text import shown
 from studies.versions import processor, versions
@@ -83,8 +83,14 @@ def _section(each: Section, places: dict[str, str]) -> str:
         _verdicts(each.verdicts),
         *tables,
         "" if paired else "".join(_download(*file) for file in names),
+        each.controls,
         panels(
-            [*(plot_svg(plot, each.name) for plot in each.plots if plot.curves), *each.figures], each.caption
+            [
+                *(plot_svg(plot, each.name) for plot in each.plots if plot.curves),
+                *(picture_svg(picture, each.name) for picture in each.pictures),
+                *each.figures,
+            ],
+            each.caption,
         ),
         place=each.name,
     )

@@ -106,7 +106,7 @@
     const { times, unit } = JSON.parse(player.dataset.times);
     const images = [...document.querySelectorAll(`.frames[data-player="${player.id}"] img`)].map((image) => ({
       image,
-      sources: JSON.parse(image.nextElementSibling.textContent),
+      sources: [...JSON.parse(image.nextElementSibling.textContent), image.src],
     }));
     const [button, slider, output] = ["button", "input", "output"].map((name) => player.querySelector(name));
     let timer = null;
@@ -136,6 +136,7 @@
       show(Number(slider.value));
     });
     button.addEventListener("click", () => (timer === null ? start() : stop()));
+    stop();
     show(times.length - 1);
     player.hidden = false;
   }

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from core_models.errors import UnsupportedError
 from studies.output_folder import OutputFolder
-from studies.verification.outcome import Plot, Table
+from studies.verification.outcome import Picture, Plot, Table
 
 AGREE, APART, NEUTRAL = "agree", "apart", ""
 
@@ -21,9 +21,9 @@ class Verdict:
 class Section:
     """A heading with sentences, verdicts, tables and figures.
 
-    name : of its CSV files and its place on the page. lead : what it is about. plots : curves. figures : ready pieces
-    of HTML, shown after the plots. caption : below the figures. data : tables for the CSV files, with all digits and in
-    SI units; without them those that are shown.
+    name : of its CSV files and its place on the page. lead : what it is about. plots : curves. pictures : fields on
+    bodies. figures : ready pieces of HTML, shown after both. controls : HTML above them. caption : below them. data :
+    tables for the CSV files, with all digits and in SI units; without them those that are shown.
     """
 
     name: str
@@ -34,8 +34,10 @@ class Section:
     lead: str = ""
     verdicts: tuple[Verdict, ...] = ()
     figures: tuple[str, ...] = ()
+    controls: str = ""
     caption: str = ""
     data: tuple[Table, ...] = ()
+    pictures: tuple[Picture, ...] = ()
 
     @property
     def has_content(self) -> bool:
@@ -44,6 +46,7 @@ class Section:
             self.remarks
             or self.verdicts
             or self.plots
+            or self.pictures
             or self.figures
             or any(each.rows for each in self.tables)
         )
@@ -67,6 +70,12 @@ class Report:
     sections: tuple[Section, ...]
     warnings: tuple[str, ...] = ()
     footnotes: tuple[str, ...] = ()
+
+    def _repr_html_(self) -> str:
+        """As a notebook shows it."""
+        from studies.report.document import fragment
+
+        return fragment(self)
 
 
 def write_report(report: Report, folder: OutputFolder) -> str:

@@ -48,5 +48,6 @@ def _problem(problem: Problem, outcome: Outcome) -> Section:
         tuple(outcome.plots),
         tuple(outcome.remarks),
         lead=f"{problem.description} Source: {problem.source}.",
+        pictures=tuple(outcome.pictures),
         verdicts=tuple(sorted(verdicts, key=lambda verdict: verdict.kind == AGREE)),
     )

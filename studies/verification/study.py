@@ -41,16 +41,27 @@ PROBLEMS = {
 """Name of a problem: its module in `problems`, and its name there."""
 
 
-STUDIES = {"verification": PROBLEMS}
+LIMIT_LOADS = {
+    "thick-cylinder": ("thick_cylinder", "PROBLEM"),
+    "thick-sphere": ("thick_sphere", "PROBLEM"),
+    "footing": ("footing", "PROBLEM"),
+    "solder-lap": ("solder_lap", "PROBLEM"),
+    "reversed-bar": ("reversed_bar", "PROBLEM"),
+}
+"""Problems of the study of limit loads, in the same form."""
+
+STUDIES = {"verification": PROBLEMS, "limit-loads": LIMIT_LOADS}
 """Problems of each study."""
 
 
 def find_problem(name: str) -> Problem:
     """The problem of that name, in whichever study; SceneError with the nearest one otherwise."""
-    if name not in PROBLEMS:
-        raise SceneError(f"no verification problem is called {name!r}; {suggestion(name, PROBLEMS)}")
-    module, variable = PROBLEMS[name]
-    return getattr(import_module(f"studies.verification.problems.{module}"), variable)
+    problems = PROBLEMS | LIMIT_LOADS
+    if name not in problems:
+        raise SceneError(f"no verification problem is called {name!r}; {suggestion(name, problems)}")
+    module, variable = problems[name]
+    package = "studies.limit_loads" if name in LIMIT_LOADS else "studies.verification.problems"
+    return getattr(import_module(f"{package}.{module}"), variable)
 
 
 def verify(
@@ -72,7 +83,7 @@ def verify(
             results.append((problem, outcome))
             tell(problem, outcome)
         folder.write_text("results.json", to_json(plain(results_entry(results, quick, study))))
-        remark = write_report(report_of(results, quick, study.capitalize()), folder)
+        remark = write_report(report_of(results, quick, study.replace("-", " ").capitalize()), folder)
         if remark:
             results[-1][1].remarks.append(remark)
     return results

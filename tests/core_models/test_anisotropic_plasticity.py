@@ -234,6 +234,6 @@ def test_every_law_beside_an_anisotropic_elasticity_is_driven_or_refused():
             assert np.isfinite(history.stress).all() and np.isfinite(history.stress_work).all()
             taken.add(slot)
     assert taken == {
-        "flow", "kinematic_hardening", "damage", "melting", "specific_heat", "heating", "erosion",
+        "flow", "kinematic_hardening", "damage", "melting", "specific_heat", "heating", "erosion", "stability",
     }  # fmt: skip
     assert drive(crystal(PLY, None), wild_path(3, 0.01), 1e-3).plastic[-1] == 0.0

@@ -9,7 +9,8 @@ from core_models.damage.johnson_cook import JohnsonCookDamage
 from core_models.errors import MaterialError
 from core_models.nonlocal_average import NonlocalAverage, bell_weights
 from core_models.points import MaterialPoints
-from core_models.yield_condition.gurson import Gurson, effective_porosity
+from core_models.yield_condition.gurson import Gurson
+from core_models.yield_condition.gurson_surface import effective_porosity
 
 PLACES = np.random.default_rng(3).uniform(0.0, 1.0, (300, 2))
 VOLUMES = np.random.default_rng(4).uniform(0.5, 1.5, 300)

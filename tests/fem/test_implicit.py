@@ -9,7 +9,6 @@ import pytest
 
 from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.eos.neo_hookean import NeoHookean
-from core_models.equilibrium import linear_solvers
 from core_models.equilibrium.order import newton_orders
 from core_models.errors import NoEquilibrium, SceneError, SingularStiffness, UnsupportedError
 from core_models.flow.voce import Voce
@@ -211,12 +210,6 @@ def test_restart_goes_on_bitwise():
         (block([0, 0], [1, 1], [2, 2]), "plane-strain", (), "translation along x, translation along y, rotation"),
         (block([0, 0], [1, 1], [2, 2]), "plane-strain", (Symmetry("bottom"),), "translation along x:"),
         (block([0, 0], [1, 1], [2, 2]), "axisymmetric", (Pressure("right", 1.0),), "translation along z"),
-        (
-            join([block([0, 0], [1, 1], [1, 1]), replace(block([2, 0], [3, 1], [1, 1]), boundaries={})]),
-            "plane-strain",
-            (Fixed("left"),),
-            "of the body with node",
-        ),
         (block([0] * 3, [1] * 3, [1] * 3, "hex8"), None, (Symmetry("left"), Symmetry("bottom")), "along y:"),
     ],
 )  # fmt: skip
@@ -226,6 +219,13 @@ def test_missing_support_is_told_by_its_motion(mesh, geometry, loads, told):
     with pytest.raises(SingularStiffness, match=told) as caught:
         solver.advance()
     assert caught.value.exit_status == 3
+
+
+def test_several_bodies_are_refused():
+    """They would pass through each other: the message says what has contact."""
+    two = join([block([0, 0], [1, 1], [1, 1]), replace(block([2, 0], [3, 1], [1, 1]), boundaries={})])
+    with pytest.raises(UnsupportedError, match="2 bodies, between which fem.ImplicitSolver has no contact"):
+        ImplicitSolver(two, steel(), geometry="plane-strain", loads=(Fixed("left"),), increment=1.0)
 
 
 def test_element_that_inverts_is_named():
@@ -273,20 +273,16 @@ def test_senseless_options_are_refused(options, error, told):
         ImplicitSolver(mesh, steel(), **({"increment": 1.0} | options))
 
 
-def test_pardiso_gives_the_same_forces():
-    """Where it is installed it is chosen by itself, and agrees with SciPy."""
-    pytest.importorskip("pypardiso")
-    solvers = [bar(3, 8, 0.982, 0.1, linear_solver=name) for name in (None, "scipy")]
-    assert [solver.linear_solver for solver in solvers] == ["pardiso", "scipy"]
+@pytest.mark.parametrize(
+    ("name", "chosen", "module"), [(None, "pardiso", "pypardiso"), ("petsc", "petsc", "petsc4py")]
+)
+def test_linear_solvers_give_the_same_forces(name, chosen, module):
+    """PARDISO is chosen by itself where it is installed; it and PETSc agree with SciPy."""
+    pytest.importorskip(module)
+    solvers = [bar(3, 8, 0.982, 0.1, linear_solver=each) for each in (name, "scipy")]
+    assert [solver.linear_solver for solver in solvers] == [chosen, "scipy"]
     forces = [pulled(solver, 0.3) for solver in solvers]
     assert forces[0] == pytest.approx(forces[1], rel=1e-7)
-
-
-def test_pardiso_that_is_not_installed_is_refused_with_the_extra_to_install(monkeypatch):
-    """The message names the extra, and what works without it."""
-    monkeypatch.setattr(linear_solvers, "find_spec", lambda name: None)
-    with pytest.raises(UnsupportedError, match="install the extra 'solvers', or use linear_solver='scipy'"):
-        bar(1, 1, 1.0, 1.0, linear_solver="pardiso")
 
 
 def test_nodal_averages_have_no_tangent():

@@ -1,12 +1,14 @@
 """Reports in a browser: no error, no missing image, the headline numbers, values of curves, readable on a phone."""
 
 import re
+from importlib.util import find_spec
 
 import pytest
 
 from studies.comparing import compare
 from studies.display import plus_minus
 from studies.report.document import page
+from studies.report.over_time import rendered
 from studies.report.study_page import AGREE, APART, Report, Section, Verdict
 from studies.verification.outcome import Curve, Plot, Table
 from tests.studies.browser import open_page
@@ -29,9 +31,15 @@ return { pointed, left, typed: document.querySelector(".values").textContent };
 WHOLE = """
 const wide = [...document.querySelectorAll("body *")].filter((e) => !e.closest(".wide, svg, details"))
   .filter((e) => e.getBoundingClientRect().right > innerWidth + 1).map((e) => e.outerHTML.slice(0, 80));
+const missing = [...document.images].filter((i) => !i.complete || !i.naturalWidth).length;
+const slider = document.querySelector(".player input"), first = document.images[0]?.src;
+if (slider) {
+  slider.value = 0;
+  slider.dispatchEvent(new Event("input"));
+}
 return {
-  missing: [...document.images].filter((i) => !i.complete || !i.naturalWidth).length,
-  images: document.images.length, text: document.body.innerText, wide,
+  time: document.querySelector(".player output")?.textContent, moved: document.images[0]?.src !== first,
+  missing, images: document.images.length, text: document.body.innerText, wide,
 };
 """
 
@@ -55,14 +63,17 @@ def small_report(*plots):
     return Report("Title & more", "One sentence.", ("a fact",), sections, ("mpm 9: burst",), ("small print",))
 
 
-def test_the_page_of_a_comparison_is_whole_and_fits_a_phone(fake_solvers, classic, tmp_path):
-    """Opened 390 px wide: no error, no missing image, nothing wider than the screen, the numbers of results.json."""
+def test_the_page_of_a_comparison_is_whole_and_fits_a_phone(fake_solvers, classic, tmp_path, monkeypatch):
+    """Opened 390 px wide: no error, no missing image, a slider, nothing wider than the screen, the headline numbers."""
+    monkeypatch.setattr("studies.report.over_time.rendered", rendered)
     comparison = compare(classic, resolutions=(8, 12, 16), wall="plane", out=tmp_path / "out")
     text = (tmp_path / "out/report.html").read_text()
     seen = open_page(text, tmp_path, WHOLE, width=390)
     assert seen["errors"] == [] and seen["log"] == []
     assert seen["found"]["missing"] == 0
     assert seen["found"]["wide"] == []
+    if "no usable OpenGL" not in text and find_spec("pyvista"):
+        assert seen["found"]["images"] == 2 and seen["found"]["moved"] and seen["found"]["time"] == "0.0 µs"
     for name in ("final_length", "foot_radius"):
         for limits in comparison.limits.values():
             limit = limits[name]
