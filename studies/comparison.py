@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from studies import profile
 from studies.bar_shape import standing
 from studies.convergence import Estimate, extrapolate
+from studies.difference_map import DifferenceMap, difference_map
 from studies.differences import Difference, difference
 from studies.reference_check import ReferenceCheck, check_references
 from studies.run_result import RunResult
@@ -25,7 +26,8 @@ class ProfileGap:
 class Comparison:
     """All runs, with the limits of each method's sequence and what follows from them.
 
-    notice: why there is no report, if there is none.
+    map: the final fields of the finest runs of two methods on one mesh. notice: why there is no report, if there is
+    none.
     """
 
     scene: Scene
@@ -35,6 +37,7 @@ class Comparison:
     differences: list[Difference] = field(default_factory=list)
     references: list[ReferenceCheck] = field(default_factory=list)
     profiles: list[ProfileGap] = field(default_factory=list)
+    map: DifferenceMap | None = None
     notice: str = ""
 
     @property
@@ -67,6 +70,7 @@ def conclude(scene: Scene, wall: str, runs: list[RunResult]) -> Comparison:
         first, second = comparison.finest
         comparison.differences = _differences(first, second, comparison.limits)
         comparison.profiles = [_profile_gap(first, second)]
+        comparison.map = difference_map(first, second)
     return comparison
 
 

@@ -14,9 +14,10 @@ from studies.taylor_impact import Quantity
 
 @dataclass(frozen=True)
 class FinalState:
-    """What the report draws: domains (n,4,2) [m], fields by name, outline by part [m]."""
+    """What the report draws: domains (n,4,2) and where their points began (n,2) [m], fields by name, outline [m]."""
 
     domains: np.ndarray
+    reference: np.ndarray
     fields: dict[str, np.ndarray]
     outline: dict[str, np.ndarray]
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from core_models.compilation import source_hash
 from core_models.errors import DiskFull, OutputError, RunFailure, UnsupportedError
 from core_models.walls import check_wall
-from studies.bar_outline import bar_outline, bar_section
+from studies.bar_outline import bar_outline, bar_section, in_meridian
 from studies.checkpointing.checkpoint_file import Saved, Settings, Spent
 from studies.checkpointing.checkpoints import Checkpoints
 from studies.checkpointing.interval import USUAL, Interval, interval_text
@@ -191,7 +191,7 @@ def _conclude(result: RunResult, solver, ending: Ending, contact: ContactWatch, 
 def _final_state(solver) -> FinalState:
     polygons, points = bar_section(solver)
     fields = {name: values[points] for name, values in cell_data(solver).items()}
-    return FinalState(polygons, fields, bar_outline(solver))
+    return FinalState(polygons, in_meridian(solver.reference_positions[points]), fields, bar_outline(solver))
 
 
 def _conservation(solver, initial_mass: float) -> dict[str, float]:

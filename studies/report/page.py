@@ -8,6 +8,7 @@ from studies.comparison import Comparison
 from studies.methods import find_method
 from studies.quantity_names import LEADING
 from studies.report.convergence_plots import convergence_plots
+from studies.report.difference_pictures import difference_pictures
 from studies.report.field_pictures import field_pictures
 from studies.report.history_plots import energy_plots, history_plots
 from studies.report.markup import items, note, panels, section
@@ -72,12 +73,23 @@ def _results(comparison: Comparison) -> list[str]:
     return [
         section("In short", _verdicts(comparison)),
         section("Final shapes", panels(field_pictures(comparison), _ends(comparison))),
+        section("Where the methods differ", panels(difference_pictures(comparison), _map_note(comparison))),
         section("Profiles", panels(profile_plots(comparison), profiles)),
         section("Quantities", quantities_table(comparison), note(_limits_note(comparison))),
         section("Against values from elsewhere", references_table(comparison)),
         section("Convergence", panels(convergence_plots(comparison), convergence)),
         section("Histories", panels(history_plots(comparison), wall)),
     ]
+
+
+def _map_note(comparison: Comparison) -> str:
+    if comparison.map is None:
+        return ""
+    moved = comparison.map.summary()["displacement"]
+    return (
+        f"Means over the cells of one mesh of the undeformed bar. Displacements differ by {1e3 * moved['rms']:.3g} mm "
+        f"(root mean square), at most {1e3 * moved['largest']:.3g} mm. Wall {comparison.wall}."
+    )
 
 
 def _accounts(comparison: Comparison) -> list[str]:

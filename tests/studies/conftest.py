@@ -22,6 +22,7 @@ class FakeSolver:
     initial_momentum = np.array([0.0, -2.0])
     mass, threads, time_step = 0.009, 1, 1e-6
     mesh = SimpleNamespace(dimension=2)
+    reference_positions = np.array([[RADIUS / 2, LENGTH / 4], [RADIUS / 2, 3 * LENGTH / 4]])
 
     def __init__(self, error: float = 0.0, wall: str = "unilateral", fails_at: float = np.inf) -> None:
         self.time, self.step_count, self.point_updates = 0.0, 0, 0
