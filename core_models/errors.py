@@ -50,5 +50,9 @@ class NoEquilibrium(RunFailure):
     """A quasi-static increment that could not be solved however small; the last converged state is kept."""
 
 
+class LoadBeyondEquilibrium(NoEquilibrium):
+    """Loads grow beyond what was found to be in equilibrium; the message names the largest that were."""
+
+
 class SingularStiffness(RunFailure):
     """A body that can move without resistance; the message names the free motion."""

@@ -390,7 +390,10 @@ def _(damage, plastic_strain, increment):
 
 @generic
 def damage_of_porosity(yield_condition, porosity, damage):
-    """Damage variable of a point with voids, at least `damage`; that itself where the yield condition knows none."""
+    """Damage variable of a point with voids, at least `damage`; that itself where the yield condition knows none.
+
+    porosity, damage : before the step [-]; numbers, or arrays of as many points.
+    """
 
 
 @damage_of_porosity.otherwise

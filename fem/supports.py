@@ -42,6 +42,11 @@ class Supports:
         self._held.setdefault(boundary, []).append((nodes, component))
         return nodes
 
+    @property
+    def moving(self) -> bool:
+        """Whether a support has a velocity."""
+        return bool(self._moving) or bool(self.given.any())
+
     def move_to(self, time: float) -> None:
         """Take the velocities of moving supports at a time [s], the middle of a step."""
         for nodes, component, velocity in self._moving:

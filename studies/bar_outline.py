@@ -35,13 +35,6 @@ def bar_section(solver) -> tuple[np.ndarray, np.ndarray]:
     return faces[points, nearest][near][..., [0, 2]], points[near]
 
 
-def in_meridian(places: np.ndarray) -> np.ndarray:
-    """Places (k, 2) or (k, 3) as (r, z), (k, 2) [m]."""
-    if places.shape[1] == 2:
-        return places
-    return np.column_stack([np.hypot(places[:, 0], places[:, 1]), places[:, 2]])
-
-
 def _meridian(solver, name: str) -> np.ndarray:
     """The line of a boundary in a quarter's symmetry planes, ordered by radius (foot, rear) or height (side)."""
     reference, current = solver.boundary_points(name)

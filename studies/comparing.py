@@ -10,11 +10,11 @@ from core_models.walls import check_wall
 from studies.checkpointing.checkpoint_file import FILE as CHECKPOINT
 from studies.checkpointing.resuming import go_on
 from studies.comparison import Comparison, conclude
-from studies.difference_map import write_difference_map
 from studies.kept_run import keep_run, kept_run
 from studies.methods import planned_runs
 from studies.output_folder import OutputFolder, ResumedFolder
-from studies.report.page import report_page
+from studies.report.comparison_report import report_of
+from studies.report.study_page import write_report
 from studies.run_record import run_entry, to_json
 from studies.run_result import RunResult
 from studies.running import simulate
@@ -37,9 +37,10 @@ def compare(
     """Run a scene by every method at every resolution under one wall and compare.
 
     resolutions: elements or cells across the radius (default: the scene's own for each method), each run once;
-    out: folder for results.json, report.html and one subfolder per run (default: nothing is written). A run that goes
-    wrong is recorded with its message and does not stop the others. going_on: `out` is the folder of the same
-    comparison, which was stopped: complete runs in it are kept, one that was stopped goes on from its checkpoint.
+    out: folder for results.json, report.html, report.md, tables as CSV and one subfolder per run (default: nothing is
+    written). A run that goes wrong is recorded with its message and does not stop the others. going_on: `out` is the
+    folder of the same comparison, which was stopped: complete runs in it are kept, one that was stopped goes on from
+    its checkpoint.
     Raises SceneError, MeshError, OutputError before anything is written.
     """
     wall = check_wall(wall or scene.wall)
@@ -53,16 +54,28 @@ def compare(
     with study_folder(out, settings, going_on) as folder:
         runs = [_one(scene, *job, wall, threads, folder, progress) for job in plan]
         comparison = conclude(scene, wall, runs)
-        if comparison.map is not None:
-            write_difference_map(comparison.map, folder)
         folder.write_text("results.json", to_json(results(comparison)))
+        _maps(comparison, folder)
         _report(comparison, folder)
     return comparison
 
 
+def _maps(comparison: Comparison, folder: OutputFolder) -> None:
+    """Both fields and their difference over the undeformed bar, and on the first method's final shape."""
+    if comparison.maps is None:
+        return
+    from meshes.io import write_domains_vtu
+
+    maps, data = comparison.maps, comparison.maps.cell_data()
+    write_domains_vtu(folder.file("difference.vtu"), maps.cells, data)
+    final = comparison.finest[0].final
+    deformed = {name: values[maps.cell_of] for name, values in data.items()}
+    write_domains_vtu(folder.file("difference-deformed.vtu"), final.domains, deformed)
+
+
 def _report(comparison: Comparison, folder: OutputFolder) -> None:
     try:
-        folder.write_text("report.html", report_page(comparison))
+        comparison.notice = write_report(report_of(comparison), folder)
     except UnsupportedError as reason:
         comparison.notice = f"{reason}; results.json is complete"
 
@@ -76,8 +89,8 @@ def results(comparison: Comparison) -> dict:
         "runs": [run_entry(run) for run in comparison.runs],
         "limits": {m: {q: asdict(e) for q, e in of.items()} for m, of in comparison.limits.items()},
         "differences": [asdict(each) for each in comparison.differences],
+        "fields": [] if comparison.maps is None else [asdict(each) for each in comparison.maps.gaps],
         "profiles": [asdict(each) for each in comparison.profiles],
-        "maps": {} if comparison.map is None else comparison.map.summary(),
         "references": [asdict(each) for each in comparison.references],
         "versions": versions(),
         "processor": processor(),

@@ -20,6 +20,8 @@ from studies.taylor_impact import Quantity
 FILE = "result.npz"
 PLAIN = ("ended", "points", "resumed", "conservation", "energies", "numerical_fracture")
 
+FINAL = ("domains", "reference", "volumes")
+
 
 def keep_run(result: RunResult, folder: OutputFolder) -> None:
     """Write all that a comparison needs of a run; raises DiskFull, OutputError."""
@@ -27,7 +29,7 @@ def keep_run(result: RunResult, folder: OutputFolder) -> None:
     record["cost"] = asdict(result.cost)
     record["quantities"] = {name: asdict(quantity) for name, quantity in result.quantities.items()}
     final = result.final
-    arrays = {"record": np.array(json.dumps(record)), "domains": final.domains, "reference": final.reference}
+    arrays = {"record": np.array(json.dumps(record))} | {name: getattr(final, name) for name in FINAL}
     arrays |= under("history", result.history.checkpoint())
     arrays |= under("field", final.fields) | under("outline", final.outline)
     with replacing(folder.file(FILE)) as temporary, open(temporary, "wb") as file:
@@ -47,7 +49,7 @@ def kept_run(
         cost = Cost(**record.pop("cost"))
         quantities = {name: Quantity(**each) for name, each in record.pop("quantities").items()}
         fields, outline = part_of(arrays, "field"), part_of(arrays, "outline")
-        final = FinalState(arrays["domains"], arrays["reference"], fields, outline)
+        final = FinalState(fields=fields, outline=outline, **{name: arrays[name] for name in FINAL})
     except FileNotFoundError:
         return None
     except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile) as error:

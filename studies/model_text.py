@@ -27,8 +27,10 @@ def model_list() -> str:
         for slot, model in _plain_models()
     ]
     for slot in SLOTS:
+        longest = max((len(model.law.__name__) for model in slot.models), default=0)
         rows = [
-            [f"  {model.types[0]}", f"{model.law.__name__:<24}{_first_line(model)}"] for model in slot.models
+            [f"  {model.types[0]}", f"{model.law.__name__:<{longest}}  {_first_line(model)}"]
+            for model in slot.models
         ]
         if rows:
             width = max(len(row[1]) for row in rows)
@@ -36,19 +38,23 @@ def model_list() -> str:
     return "\n\n".join(parts)
 
 
+def find_models(name: str | None = None) -> list[tuple[str, ModelSchema]]:
+    """Slots and schemas of all laws, or of those of a card type or class; SceneError naming the nearest one."""
+    known = [(slot.slot, model) for slot, model in _models()] + list(_plain_models())
+    found = [each for each in known if name is None or name in (*each[1].types, each[1].law.__name__)]
+    if not found:
+        valid = {word for _, model in known for word in (*model.types, model.law.__name__)}
+        raise SceneError(f"no law '{name}'; {suggestion(name, valid)}")
+    return found
+
+
 def model_text(name: str) -> str:
     """Everything about the laws of that card type or class; raises SceneError naming the nearest one."""
-    found = [
-        _explained(slot, model) for slot, model in _models() if name in (*model.types, model.law.__name__)
-    ]
-    found += [
-        _told(slot, model, "plain tags") for slot, model in _plain_models() if name == model.law.__name__
-    ]
-    if not found:
-        valid = {known for _, model in _models() for known in (*model.types, model.law.__name__)}
-        valid |= {law.__name__ for law in PLAIN_LAWS.values()}
-        raise SceneError(f"no law '{name}'; {suggestion(name, valid)}")
-    return "\n\n".join(found)
+    tags = {slot.slot: slot for slot in SLOTS}
+    return "\n\n".join(
+        _explained(tags[slot], model) if model.types else _told(slot, model, "plain tags")
+        for slot, model in find_models(name)
+    )
 
 
 def _models() -> Iterator[tuple[SlotSchema, ModelSchema]]:

@@ -13,19 +13,25 @@ LARGEST_SHARE = 0.002
 
 
 def slow_enough(
-    mesh: Mesh, material: Material, loads: tuple[Load, ...], duration: float, periods: float
+    mesh: Mesh,
+    material: Material,
+    loads: tuple[Load, ...],
+    duration: float,
+    periods: float,
+    geometry: str | None = None,
 ) -> Material:
     """The material with its mass scaled so that loading takes so many periods of the body's lowest natural mode.
 
         density = density_0 (duration w / (2 pi periods))^2
 
-    duration : of the loading [s]. The time step grows as the root of the density, so that the number of steps is that
-    of `periods` periods of the real body, while rate-dependent laws see the real rates. Only for laws whose stress does
-    not depend on the density.
+    duration : of the loading [s]. geometry : as the solvers take it. The time step grows as the root of the density, so
+    that the number of steps is that of `periods` periods of the real body, while rate-dependent laws see the real
+    rates. Only for laws whose stress does not depend on the density.
     """
     import fem
 
-    frequency = fem.ImplicitSolver(mesh, material, loads=loads, increment=duration).lowest_frequency()
+    solver = fem.ImplicitSolver(mesh, material, geometry=geometry, loads=loads, increment=duration)
+    frequency = solver.lowest_frequency()
     factor = duration * frequency / (2.0 * math.pi * periods)
     return replace(material, density=material.density * factor**2)
 

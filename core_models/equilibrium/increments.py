@@ -27,15 +27,14 @@ class Increments:
             )
         self.next = largest
 
-    def cut(self, step: float, reason: Exception, place: str) -> float:
+    def cut(self, step: float, reason: str) -> float:
         """The smaller increment to try after one of `step` has failed; NoEquilibrium below the smallest."""
         smaller = CUT * step
         if smaller < self._smallest * (1.0 - SAME):
             raise NoEquilibrium(
-                f"{place}: {reason}; the increment of {step:.3e} s would be cut below {self._smallest:.3e} s. The last "
-                "converged state is kept: check supports and loads, whether a load exceeds what the body can carry "
-                "(then prescribe displacements), and the mesh where it is worst"
-            ) from None
+                f"{reason}; the increment of {step:.3e} s would be cut below {self._smallest:.3e} s. The last "
+                "converged state is kept"
+            )
         self.next = smaller
         return smaller
 

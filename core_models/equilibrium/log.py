@@ -10,12 +10,16 @@ CONVERGED, CUT = "converged", "cut"
 
 @dataclass(frozen=True)
 class Start:
-    """What is solved: number of free degrees of freedom, entries of the stiffness, name of the linear solver."""
+    """What is solved: number of free degrees of freedom, entries of the stiffness, name of the linear solver.
+
+    condition : number of the stiffness of the undeformed body in the 1-norm, an estimate, where the method asks for it.
+    """
 
     method: str
     dofs: int
     entries: int
     linear_solver: str
+    condition: float | None = None
     kind: str = "start"
 
 
@@ -23,7 +27,8 @@ class Start:
 class Iteration:
     """One evaluation of the balance of forces.
 
-    increment, attempt, iteration : counted from 1, 0 and 0. time : at the end of the increment, step : its size [s].
+    increment, attempt, iteration : counted from 1, 0 and 0. time : of the loads, which is the end of the increment
+    unless a path is followed, step : size of the increment [s].
     residual : Euclidean norm of the forces out of balance [N]; relative : over that of all forces on nodes.
     energy : |residual before . correction| that led here [J]. worst : largest force out of balance [N], at `node` along
     `component`. length : of the line search, 1 for a whole correction. plastic : points that flow; same : whether they
@@ -111,7 +116,9 @@ _HEAD = (
 
 def _line(record: Record) -> str:
     if isinstance(record, Start):
-        return f"{record.method}: {record.dofs} free dofs, {record.entries} entries, solved by {record.linear_solver}"
+        condition = "" if record.condition is None else f", condition number {record.condition:.1e}"
+        head = f"{record.method}: {record.dofs} free dofs, {record.entries} entries"
+        return f"{head}, solved by {record.linear_solver}{condition}"
     head = f"{record.increment:5d} {record.attempt:3d}"
     if isinstance(record, Increment):
         reason = f": {record.reason}" if record.reason else ""

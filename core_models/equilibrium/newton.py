@@ -45,7 +45,7 @@ class System(Protocol):
 
 @dataclass(frozen=True)
 class Attempt:
-    """Which attempt at which increment: for the log; time at its end and size [s]."""
+    """Which attempt at which increment: for the log; time at its end, at which loads are taken, and size [s]."""
 
     increment: int
     number: int
@@ -91,10 +91,18 @@ class Newton:
                 moves = False
         if self._is_settled(balance):
             return x, self._iterations
-        raise Stalled(
+        raise self._unsettled(balance)
+
+    def _unsettled(self, balance: Balance) -> Stalled:
+        return Stalled(
             f"no equilibrium after {self._iterations} iterations, "
             f"a part of {self._out_of_balance(balance):.1e} of the forces is out of balance"
         )
+
+    def _finite(self, values: np.ndarray) -> np.ndarray:
+        if not np.isfinite(values).all():
+            raise Stalled("the tangent is not finite")
+        return values
 
     def _correct(self, balance: Balance, jump: np.ndarray | None) -> np.ndarray:
         """The correction (n, d) [m] that Newton's method asks for; fixed components move by `jump`."""
@@ -107,9 +115,7 @@ class Newton:
             for table, block in zip(system.tables, blocks, strict=True):
                 forces = np.einsum("mij,mj->mi", block, correction[table])
                 right -= np.bincount(table.ravel(), weights=forces.ravel(), minlength=right.size)
-        values = self._pattern.assemble(blocks)
-        if not np.isfinite(values).all():
-            raise Stalled("the tangent is not finite")
+        values = self._finite(self._pattern.assemble(blocks))
         free = free.ravel()
         correction[free] = self._linear.solve(values, right[free])
         if not np.isfinite(correction).all():

@@ -64,6 +64,15 @@ def put_stress(stresses, point, kirchhoff, inverse_gradient):
 
 
 @inside_kernel
+def put_nothing(stresses, tangents, point):
+    """Write stress and tangent of a point that is out of the simulation."""
+    for row in range(9):
+        stresses[point, row] = 0.0
+        for column in range(9):
+            tangents[point, row, column] = 0.0
+
+
+@inside_kernel
 def put_change(tangents, point, number, change, kirchhoff, towards, inverse_gradient):
     """Write a column of the tangent of a point: dtau and tau in the direction of a component of F."""
     pulled = product_transposed(full(kirchhoff), towards.relative)

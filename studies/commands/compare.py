@@ -5,9 +5,9 @@ examples:
   matpoint compare taylor-classic --wall plane --resolution 8,12,16 --out results/classic
   matpoint compare taylor-ofhc-190 --methods mpm --threads 2
   matpoint compare taylor-copper-jc --resume results/copper
+  matpoint compare taylor-classic --resolution 8 --json > classic.json
 
-Prints a table and writes results.json, report.html, difference.vtu (both methods' final fields on one mesh) and one
-folder per run.
+Prints a table and writes results.json, report.html, report.md, tables as CSV and one folder per run.
 Exit status: 0; 2 bad input; 3 a run went wrong (the others are still compared).
 """
 
@@ -17,7 +17,7 @@ from pathlib import Path
 
 from core_models.errors import RunFailure, SceneError
 from studies.default_folder import default_folder
-from studies.options import add_method_options, add_scene_options, asked_scene
+from studies.options import add_json_option, add_method_options, add_scene_options, asked_scene
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -27,6 +27,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--resume", metavar="DIR", help="go on with the same comparison in this folder, which was stopped"
     )
+    add_json_option(parser)
 
 
 def execute(options: argparse.Namespace) -> int:
@@ -52,6 +53,11 @@ def execute(options: argparse.Namespace) -> int:
     )
     if comparison.notice:
         print(f"matpoint: {comparison.notice}", file=sys.stderr)
+    if options.json:
+        from studies.json_output import print_results
+
+        print_results(out)
+        return RunFailure.exit_status if comparison.failed else 0
     page = out / "report.html"
     print(f"{comparison_text(comparison)}\n\n{page if page.exists() else out / 'results.json'}")
     return RunFailure.exit_status if comparison.failed else 0

@@ -9,7 +9,6 @@ import pytest
 
 from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.eos.neo_hookean import NeoHookean
-from core_models.equilibrium import linear_solvers
 from core_models.equilibrium.order import newton_orders
 from core_models.errors import NoEquilibrium, SceneError, SingularStiffness, UnsupportedError
 from core_models.flow.voce import Voce
@@ -273,20 +272,16 @@ def test_senseless_options_are_refused(options, error, told):
         ImplicitSolver(mesh, steel(), **({"increment": 1.0} | options))
 
 
-def test_pardiso_gives_the_same_forces():
-    """Where it is installed it is chosen by itself, and agrees with SciPy."""
-    pytest.importorskip("pypardiso")
-    solvers = [bar(3, 8, 0.982, 0.1, linear_solver=name) for name in (None, "scipy")]
-    assert [solver.linear_solver for solver in solvers] == ["pardiso", "scipy"]
+@pytest.mark.parametrize(
+    ("name", "chosen", "module"), [(None, "pardiso", "pypardiso"), ("petsc", "petsc", "petsc4py")]
+)
+def test_linear_solvers_give_the_same_forces(name, chosen, module):
+    """PARDISO is chosen by itself where it is installed; it and PETSc agree with SciPy."""
+    pytest.importorskip(module)
+    solvers = [bar(3, 8, 0.982, 0.1, linear_solver=each) for each in (name, "scipy")]
+    assert [solver.linear_solver for solver in solvers] == [chosen, "scipy"]
     forces = [pulled(solver, 0.3) for solver in solvers]
     assert forces[0] == pytest.approx(forces[1], rel=1e-7)
-
-
-def test_pardiso_that_is_not_installed_is_refused_with_the_extra_to_install(monkeypatch):
-    """The message names the extra, and what works without it."""
-    monkeypatch.setattr(linear_solvers, "find_spec", lambda name: None)
-    with pytest.raises(UnsupportedError, match="install the extra 'solvers', or use linear_solver='scipy'"):
-        bar(1, 1, 1.0, 1.0, linear_solver="pardiso")
 
 
 def test_nodal_averages_have_no_tangent():

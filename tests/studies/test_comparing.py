@@ -12,7 +12,6 @@ from core_models.errors import OutputError
 from studies.checkpointing.interval import Interval
 from studies.comparing import compare
 from studies.quantity_names import QUANTITIES
-from tests.studies.conftest import LENGTH
 
 
 @pytest.fixture
@@ -75,11 +74,11 @@ def test_one_method_alone_can_be_compared_with_references(fake_solvers, classic,
 
 
 def test_the_report_needs_nothing_from_outside(results):
-    """One page without scripts, links, or anything fetched; every figure states its wall."""
+    """One page that fetches nothing; every figure states its wall."""
     page = (results[1] / "report.html").read_text()
     outside = re.findall(r'(?:src|href)="(?!data:|#)[^"]*"', page)
     assert outside == []
-    assert "<script" not in page and "@import" not in page
+    assert "@import" not in page and "fetch(" not in page and "XMLHttpRequest" not in page
     figures = re.findall(r"<figure>.*?</figure>", page, flags=re.S)
     assert len(figures) >= 5
     assert all("plane" in figure for figure in figures)
@@ -98,21 +97,6 @@ def test_repeated_methods_and_resolutions_run_once(fake_solvers, classic):
     """Each run has its own folder, so each is made once, coarse to fine."""
     comparison = compare(classic, ("mpm", "mpm"), (12, 8, 12))
     assert [run.label for run in comparison.runs] == ["mpm 8", "mpm 12"]
-
-
-def test_fields_are_compared_on_one_mesh(results):
-    """The pretended strains, 0.4 and 0.1 of both halves, differ by 1.5 / 16 of themselves; ParaView's file has both."""
-    import meshio
-
-    found = results[0].map
-    lower = found.cells[:, :, 1].mean(axis=1) < LENGTH / 2
-    expected = np.where(lower, 0.4, 0.1) * 1.5 / 16
-    np.testing.assert_allclose(found.difference("equivalent_plastic_strain"), expected, rtol=1e-12)
-    file = meshio.read(results[1] / "difference.vtu")
-    written = file.cell_data["equivalent_plastic_strain, difference"][0]
-    np.testing.assert_allclose(written.ravel(), expected, rtol=1e-12)
-    summary = json.loads((results[1] / "results.json").read_text())["maps"]["equivalent_plastic_strain"]
-    assert summary["largest"] == pytest.approx(0.4 * 1.5 / 16)
 
 
 def test_a_comparison_that_was_stopped_goes_on(fake_solvers, classic, tmp_path, monkeypatch):

@@ -1,9 +1,8 @@
-"""The report's tables."""
-
-from html import escape
+"""The tables of a comparison's report."""
 
 from studies.comparison import Comparison
 from studies.display import (
+    ABSENT,
     number,
     plus_minus,
     shown,
@@ -16,36 +15,37 @@ from studies.display import (
 from studies.effects import scene_effects
 from studies.history import ENERGIES
 from studies.methods import find_method
-from studies.report.markup import table
 from studies.run_result import RunResult
+from studies.verification.outcome import Table
 
 
-def quantities_table(comparison: Comparison) -> str:
+def quantities_table(comparison: Comparison, notes: str) -> Table:
     """Every quantity: finest value and limit of each method, the difference."""
     finest = comparison.finest
-    head = ["Quantity"]
+    head = ["quantity"]
     for run in finest:
-        head += [_tag(run, f"{find_method(run.method).label} {run.resolution}"), _tag(run, "limit")]
+        label = find_method(run.method).label
+        head += [f"{label} {run.resolution}", f"{label} limit"]
     apart = {difference.quantity: difference for difference in comparison.differences}
     if comparison.differences:
-        head += ["difference<br>of finest", "of limits"]
+        head += ["finest apart", "limits apart"]
     rows = []
     for name, quantity in finest[0].quantities.items():
         row = [_heading(name, quantity.unit)]
         for run in finest:
             limit = comparison.limits[run.method].get(name)
             row.append(shown(run.quantities[name].value, quantity.unit))
-            row.append(_limit(limit, quantity.unit))
+            row.append(ABSENT if limit is None else plus_minus(limit.value, limit.uncertainty, quantity.unit))
         if comparison.differences:
             gap = apart.get(name)
             row += [shown_percent(gap and gap.finest_relative), shown_percent(gap and gap.limit_relative)]
-        rows.append(row)
-    return table(head, rows)
+        rows.append(tuple(row))
+    return Table("Quantities", tuple(head), tuple(rows), notes)
 
 
-def references_table(comparison: Comparison) -> str:
+def references_table(comparison: Comparison) -> Table:
     """Our values next to values from elsewhere."""
-    head = ["Quantity", "run", "value", "reference", "off by", "limit off by", "source"]
+    head = ("quantity", "run", "value", "reference", "off by", "limit off by", "source")
     rows = []
     for check in comparison.references:
         reference, unit = check.reference, check.unit
@@ -54,83 +54,73 @@ def references_table(comparison: Comparison) -> str:
             span += f" … {shown(reference.high, unit)}"
         end = reference.high if check.limit_outside > 0.0 else reference.low
         rows.append(
-            [
+            (
                 shown_name(reference.quantity),
                 check.run,
                 with_unit(check.value, unit),
                 f"{span} {shown_unit(unit)}",
                 shown_percent(check.outside_relative),
                 shown_percent(check.limit_outside / end),
-                escape(reference.source + (f", wall {reference.wall}" if reference.wall else "")),
-            ]
+                reference.source + (f", wall {reference.wall}" if reference.wall else ""),
+            )
         )
-    return table(head, rows, words=(6,)) if rows else ""
+    return Table("Against values from elsewhere", head, tuple(rows))
 
 
-def cost_table(comparison: Comparison) -> str:
+def cost_table(comparison: Comparison, notes: str) -> Table:
     """What every run cost."""
-    head = [
-        "Run",
+    head = (
+        "run",
         "points",
         "steps",
-        "total s",
-        "compile s",
-        "stepping s",
-        "processor s",
-        "ns / point / step",
-        "MiB",
-    ]
+        "total [s]",
+        "compile [s]",
+        "stepping [s]",
+        "processor [s]",
+        "per point and step [ns]",
+        "memory [MiB]",
+    )
     rows = []
     for run in comparison.runs:
         cost = run.cost
+        times = (cost.wall_s, cost.compile_s, cost.stepping_s, cost.cpu_s)
+        memory = round(cost.peak_memory_bytes / 2**20)
         rows.append(
-            [
-                _tag(run, run.label),
-                f"{run.points:,}",
-                f"{cost.steps:,}",
-                number(cost.wall_s, 3),
-                number(cost.compile_s, 3),
-                number(cost.stepping_s, 3),
-                number(cost.cpu_s, 3),
+            (
+                run.label,
+                run.points,
+                cost.steps,
+                *(number(time, 3) for time in times),
                 _nanoseconds(run),
-                f"{cost.peak_memory_bytes / 2**20:.0f}",
-            ]
+                memory,
+            )
         )
-    return table(head, rows)
+    return Table("Cost", head, tuple(rows), notes)
 
 
-def ledger_table(comparison: Comparison) -> str:
+def ledger_table(comparison: Comparison, notes: str) -> Table:
     """Where the energy went in every completed run, and how well mass, momentum and energy close."""
     complete = [run for run in comparison.runs if run.failure is None]
-    shown = [name for name in ENERGIES if any(run.energies[name] for run in complete)]
-    head = [
-        "Run",
-        *shown,
-        "initial",
-        "energy",
-        "momentum",
-        "mass",
-    ]
-    rows = [
-        [
-            _tag(run, run.label),
-            *(number(run.energies[name], 4) for name in (*shown, "initial")),
+    names = [name for name in ENERGIES if any(run.energies[name] for run in complete)]
+    rows = tuple(
+        (
+            run.label,
+            *(number(run.energies[name], 4) for name in (*names, "initial")),
             f"{100.0 * run.conservation['energy']:.3f} %",
             f"{run.conservation['momentum']:.1e}",
             f"{run.conservation['mass']:.1e}",
-        ]
+        )
         for run in complete
-    ]
-    return table(head, rows) if rows else ""
+    )
+    head = ("run", *names, "initial", "energy error", "momentum error", "mass error")
+    return Table("Energy", head, rows, notes)
 
 
-def effects_table(comparison: Comparison) -> str:
+def effects_table(comparison: Comparison) -> Table:
     """What was simulated and what was not, and why."""
     effects = scene_effects(comparison.scene, comparison.wall, tuple(comparison.methods))
-    marks = {True: '<span class="on">on</span>', False: '<span class="off">off</span>'}
-    return table(
-        ["Effect", "", "why"], [[escape(e.name), marks[e.on], escape(e.reason)] for e in effects], words=(2,)
-    )
+    rows = tuple((each.name, "on" if each.on else "off", each.reason) for each in effects)
+    return Table("What was simulated, and what was not", ("effect", "", "why"), rows)
 
 
 def quantity_notes(comparison: Comparison) -> list[str]:
@@ -149,21 +139,11 @@ def quantity_notes(comparison: Comparison) -> list[str]:
 
 def _heading(name: str, unit: str) -> str:
     shown = shown_unit(unit)
-    return shown_name(name) + (f' <span class="note">{shown}</span>' if shown else "")
-
-
-def _limit(limit, unit: str) -> str:
-    return "–" if limit is None else plus_minus(limit.value, limit.uncertainty, unit)
+    return shown_name(name) + (f" [{shown}]" if shown else "")
 
 
 def _nanoseconds(run: RunResult) -> str:
     stepping = run.cost.stepping_s - run.cost.compile_s
-    return (
-        number(1e9 * stepping / run.cost.point_updates, 3)
-        if run.cost.point_updates and stepping > 0.0
-        else "–"
-    )
-
-
-def _tag(run: RunResult, text: str) -> str:
-    return f'<span class="{find_method(run.method).scene_key}">{escape(text)}</span>'
+    if not run.cost.point_updates or stepping <= 0.0:
+        return ABSENT
+    return number(1e9 * stepping / run.cost.point_updates, 3)

@@ -18,7 +18,7 @@ class GradientOperator(NamedTuple):
 
 
 def gradient_operator(geometry: Geometry, dimension: int) -> GradientOperator:
-    """The operator of a geometry for the gradients in `fem.tables.Tables`."""
+    """The operator of a geometry for gradients (..., a, D): those of the shape functions, and N / R for the hoop."""
     if isinstance(geometry, Axisymmetric):
         return GradientOperator(np.array([[0, 1, 8], [3, 4, 8]]), np.array([3, 2]))
     rows = 3 * np.arange(dimension)[:, None] + np.arange(dimension)

@@ -1,4 +1,4 @@
-"""Checkpoint and restart of implicit finite elements."""
+"""Checkpoint and restart of quasi-static increments."""
 
 from core_models.checkpoint import (
     Checkpoint,
@@ -13,21 +13,27 @@ from core_models.checkpoint import (
     values_of,
 )
 
-VALUES = ("positions", "_velocity", "_forces", "time", "step_count", "point_updates")
+VALUES = ("_places", "_velocity", "_forces", "time", "step_count", "point_updates")
 
 
 class RestartableIncrements:
-    """The half of `ImplicitSolver` that writes itself down and goes on from there; its log is not part of it."""
+    """The half of a quasi-static solver that writes itself down and goes on from there; its log is not part of it.
+
+    OWN : attributes of the solver, or of its parts, that it needs besides: name of the part, names of the attributes.
+    """
+
+    OWN: tuple[tuple[str, tuple[str, ...]], ...] = ()
 
     def checkpoint(self) -> Checkpoint:
         """Copies of everything that the increments to come depend on: the last converged state."""
+        own = [
+            under(part.lstrip("_"), values_of(getattr(self, part), names)) for part, names in self._parts()
+        ]
         return {
             **values_of(self, VALUES),
             **under("points", points_checkpoint(self.points)),
-            **under("body", values_of(self._body, ("scales",))),
-            **under("supports", values_of(self._supports, ("reactions",))),
-            **under("increments", values_of(self._increments, ("next",))),
             **under("ledger", ledger_checkpoint(self._ledger)),
+            **{name: value for part in own for name, value in part.items()},
         }
 
     def restore(self, checkpoint: Checkpoint) -> None:
@@ -38,7 +44,14 @@ class RestartableIncrements:
         check_fits(self.checkpoint(), checkpoint)
         put_values(self, VALUES, checkpoint)
         restore_points(self.points, part_of(checkpoint, "points"))
-        put_values(self._body, ("scales",), part_of(checkpoint, "body"))
-        put_values(self._supports, ("reactions",), part_of(checkpoint, "supports"))
-        put_values(self._increments, ("next",), part_of(checkpoint, "increments"))
         restore_ledger(self._ledger, part_of(checkpoint, "ledger"))
+        for part, names in self._parts():
+            put_values(getattr(self, part), names, part_of(checkpoint, part.lstrip("_")))
+
+    def _parts(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
+        return (
+            ("_supports", ("reactions",)),
+            ("_increments", ("next",)),
+            ("_route", ("load_time", "load_rate")),
+            *self.OWN,
+        )
