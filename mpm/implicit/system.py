@@ -32,9 +32,9 @@ class ParticleSystem:
 
     def __init__(
         self, grid: SplineGrid, geometry: Geometry, particles: Particles, points: MaterialPoints, material: Material,
-        fixed: np.ndarray, loads: tuple[Load, ...], cured: bool, ghost: float, threads: Threads,
+        fixed: np.ndarray, loads: tuple[Load, ...], share: float, ghost: float, threads: Threads,
     ) -> None:  # fmt: skip
-        self._grid, self._points, self._threads, self.fixed, self._cured = grid, points, threads, fixed, cured
+        self._grid, self._points, self._threads, self.fixed, self._share = grid, points, threads, fixed, share
         d = grid.places.shape[1]
         self._operator = gradient_operator(geometry, d)
         nodes, self.values, slopes = grid.reach(particles.positions)
@@ -55,7 +55,7 @@ class ParticleSystem:
         self._forces, self._matrices = np.zeros((cells, dofs)), np.zeros((cells, dofs, dofs))
         self._stresses, self._tangents = np.zeros((points.n, 3, 3)), np.zeros((points.n, 9, 9))
         self._failures = np.zeros((self._chunks, 2), dtype=np.int64)
-        self.scales = np.ones(points.n)
+        self.scales, self._pressures = np.ones(points.n), np.zeros(points.n)
         self._smallest = UNLOADED * shear * float(np.linalg.norm(self._cell_forces())) * dofs**0.5
         self.forces, self.loads, self.work, self.ghost_energy = np.zeros_like(grid.places), None, None, 0.0
 
@@ -65,7 +65,7 @@ class ParticleSystem:
         points, grid = self._points, self._grid
         common = (self._slopes, self._operator, points.reference_volumes)
         self._threads.run(
-            deform_cells, self._chunks, self._cured, grid.starts, grid.order, grid.nodes, *common, x,
+            deform_cells, self._chunks, self._share, grid.starts, grid.order, grid.nodes, *common, x,
             points.deformation_gradient, self.scales, self._failures,
         )  # fmt: skip
         bad = np.flatnonzero(self._failures[:, 0] != OK)
@@ -73,8 +73,9 @@ class ParticleSystem:
             raise PointFailure(*(int(value) for value in self._failures[bad[0]]))
         self.work = points.linearise(dt, self._stresses, self._tangents)
         self._threads.run_with(
-            stiffen_cells, self._chunks, self._scratch, self._cured, grid.starts, grid.order, *common,
-            points.deformation_gradient, self.scales, self._stresses, self._tangents, self._forces, self._matrices,
+            stiffen_cells, self._chunks, self._scratch, self._share, grid.starts, grid.order, *common,
+            points.deformation_gradient, self.scales, self._stresses, self._tangents, self._pressures, self._forces,
+            self._matrices,
         )  # fmt: skip
         square = float((self._forces**2).sum())
         flat = np.bincount(self.tables[0].ravel(), weights=self._forces.ravel(), minlength=x.size)
