@@ -15,7 +15,6 @@ from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
 from core_models.eos.spalling_mie_gruneisen import SpallingMieGruneisen
-from core_models.flow.anand import Anand
 from core_models.heating.isentropic import IsentropicHeating
 from core_models.heating.taylor_quinney import TaylorQuinney
 from core_models.shear_modulus.nadal_le_poac import NadalLePoac
@@ -221,16 +220,6 @@ CLASHES = (
     Clash(
         "damage", (VoidNucleation,), "yield_condition", (VonMises, *PRESSURE_DEPENDENT, *ABSENT),
         "these voids act through the yield condition", "take the yield condition gurson",
-    ),
-    Clash(
-        "yield_condition", POROUS, "flow", (Anand,),
-        "the porous yield condition measures stresses by the flow stress, and Anand's matrix has none at rest",
-        "take a flow law with a yield stress",
-    ),
-    Clash(
-        "damage", (VoidNucleation,), "flow", (Anand,),
-        "the porous yield condition measures stresses by the flow stress, and Anand's matrix has none at rest",
-        "take a flow law with a yield stress",
     ),
     Clash(
         "damage", PRESENT, "flow", ABSENT, "damage grows with plastic strain", "add a flow law or leave damage out"

@@ -9,14 +9,7 @@ import math
 from core_models.compilation import beside_kernel, inside_kernel
 from core_models.dispatch import generic
 from core_models.flow.continued import ContinuedFlow
-from core_models.laws import (
-    elastic_moduli,
-    heat_capacity,
-    heated_fraction,
-    predict_carefully,
-    stiffness,
-    stress_measure,
-)
+from core_models.laws import elastic_moduli, heat_capacity, heated_fraction, stiffness
 from core_models.principal_axes import principal
 from core_models.quaternions import quaternion, rotation_matrix
 from core_models.rows import F0, get_tensor
@@ -40,9 +33,11 @@ from core_models.updates.continuing_tangent import continue_point, continued_har
 from core_models.updates.general import General, Step, posed
 from core_models.updates.general_problem import ELASTIC, mean_stress, return_stress, unchanged
 from core_models.updates.general_tangent import linearise_point
+from core_models.updates.interface import predict_carefully, stress_measure
 from core_models.updates.prediction import NO_STRESS, has_no_strength
 from core_models.yield_condition.drucker_prager import DruckerPrager
-from core_models.yield_condition.gurson import Gurson, yield_function
+from core_models.yield_condition.gurson import Gurson
+from core_models.yield_condition.gurson_surface import yield_function
 from core_models.yield_condition.mohr_coulomb import MohrCoulomb
 from core_models.yield_condition.mohr_coulomb_planes import DEGREE
 from core_models.yield_condition.von_mises import VonMises
@@ -97,11 +92,11 @@ def _porous_flow_stress(law, mises, stress, porosity):
     low, high = 0.0, mises + abs(stress)
     if high == 0.0:
         return 0.0
-    while yield_function(law, mises, stress, high, porosity)[0] > 0.0 and high < 1e30:
+    while yield_function(law, mises, stress, high, porosity) > 0.0 and high < 1e30:
         low, high = high, 2.0 * high
     for _bisection in range(BISECTIONS):
         middle = 0.5 * (low + high)
-        if yield_function(law, mises, stress, middle, porosity)[0] > 0.0:
+        if yield_function(law, mises, stress, middle, porosity) > 0.0:
             low = middle
         else:
             high = middle

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from core_models.compilation import beside_kernel, inside_kernel
 from core_models.laws import nucleated
 from core_models.tensors import determinant, inverse
-from core_models.updates.general_problem import mean_stress, strength
+from core_models.updates.general_problem import Strength, mean_stress, strength
 from core_models.yield_condition.gurson_surface import (
     LARGEST_ARGUMENT,
     argument,
@@ -21,6 +21,7 @@ from core_models.yield_condition.gurson_surface import (
 )
 
 CLOSED = 1e-15  # porosity of voids that pressure has closed for good
+WEAKEST = 1e-9  # Pa
 WHOLE = 1.0 - 1e-12  # largest porosity that a step starts from
 
 
@@ -59,9 +60,16 @@ def porosity_of(voids):
 
 
 @beside_kernel
+def matrix_strength(flow, problem, increment):
+    """`Strength` of the matrix after an increment of plastic strain, never so small that nothing can be over it."""
+    now = strength(flow, problem, increment)
+    return Strength(max(now.stress, WEAKEST), now.slope, now.variable)
+
+
+@beside_kernel
 def flowing(model, flow, problem, mises, shape, voids, increment):
     """`VoidFlow` of some unknowns. mises : that of the trial [Pa]."""
-    now = strength(flow, problem, increment)
+    now = matrix_strength(flow, problem, increment)
     start, rate = voids_before(model.damage, problem, increment)
     volume = voids - start
     stress, bulk = mean_stress(model.eos, problem, problem.volume - volume)

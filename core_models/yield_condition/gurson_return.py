@@ -9,9 +9,10 @@ of steps.
 import math
 
 from core_models.compilation import beside_kernel, inside_kernel
-from core_models.updates.general_problem import ROUND_OFF, allowance, mean_stress, strength
+from core_models.updates.general_problem import ROUND_OFF, mean_stress, volume_at
 from core_models.yield_condition.gurson_flow import (
     flowing,
+    matrix_strength,
     porosity_of,
     residual,
     solved,
@@ -29,21 +30,20 @@ from core_models.yield_condition.gurson_surface import (
 
 NEWTON_STEPS = 14
 BISECTIONS = 110
-STEPS_TO_NO_STRESS = 60
-FARTHEST = 0.7  # ln J_e of a body without mean stress
 TINIEST_VOIDS = 1e-40
 SMALLEST_SHARE = 0.1  # of the voids that a Newton step may leave
+USUAL_PART = 1e-3  # of the bound, where laws that feel a rate have about the strength that they will have
 FEW = 1e-30  # of the bound of the plastic strain, where a bisection of its logarithm begins
 
 
 @beside_kernel
 def search(law, model, flow, problem, mises, elastic_bulk):
     """The plastic flow of a trial outside the surface: converged or not, whether there is any strength, `VoidFlow`."""
-    room = problem.volume - _unstressed(model.eos, problem)
+    room = problem.volume - volume_at(model.eos, problem, 0.0, ROUND_OFF * elastic_bulk)[0]
     start = voids_before(model.damage, problem, 0.0)[0]
     bound = _largest_increment(law, model, problem, mises, room)
     now = flowing(model, flow, problem, mises, 0.0, start, 0.0)
-    whole = strength(flow, problem, mises / (3.0 * problem.shear) + abs(room)).stress
+    whole = matrix_strength(flow, problem, mises / (3.0 * problem.shear) + abs(room)).stress
     if max(now.flow, whole) <= ROUND_OFF * (elastic_bulk + problem.shear):
         return True, False, now
     guess = _first_guess(law, model, flow, problem, mises, bound)
@@ -51,25 +51,6 @@ def search(law, model, flow, problem, mises, elastic_bulk):
     if has_converged:
         return True, True, now
     return _bracketed(law, model, flow, problem, mises, room, bound, guess.increment)
-
-
-@beside_kernel
-def _unstressed(eos, problem):
-    """ln J_e where the mean stress is zero, by Newton steps from 0 that stay within a bracket."""
-    low, high = min(-FARTHEST, problem.volume), max(FARTHEST, problem.volume)
-    volume = 0.0
-    for _step in range(STEPS_TO_NO_STRESS):
-        stress, bulk = mean_stress(eos, problem, volume)
-        if abs(stress) <= ROUND_OFF * bulk:
-            break
-        if stress < 0.0:
-            low = volume
-        else:
-            high = volume
-        volume = volume - stress / bulk if bulk > 0.0 else high
-        if not low < volume < high:
-            volume = 0.5 * (low + high)
-    return volume
 
 
 @inside_kernel
@@ -86,7 +67,9 @@ def _first_guess(law, model, flow, problem, mises, bound):
     """Flow along the normal at the trial, as much as takes a surface that stays as it is to it."""
     start, _rate = voids_before(model.damage, problem, 0.0)
     stress, bulk = mean_stress(model.eos, problem, problem.volume)
-    now = max(strength(flow, problem, 0.0).stress, strength(flow, problem, 1e-3 * bound).stress)
+    now = max(
+        matrix_strength(flow, problem, 0.0).stress, matrix_strength(flow, problem, USUAL_PART * bound).stress
+    )
     f = effective_porosity(law, porosity_of(start))[0]
     x = argument(law, stress, now)
     by_mises = 2.0 * mises / (now * now)
@@ -108,7 +91,7 @@ def _newton(law, model, flow, problem, mises, room, bound, now):
     highest = voids_before(model.damage, problem, bound)[0] + max(room, 0.0)
     for _step in range(NEWTON_STEPS):
         r = residual(law, now)
-        limit = 10.0 * allowance(problem, now.flow, now.bulk) / now.flow
+        limit = _allowed(problem, now)
         strain = now.shape + abs(now.volume) + now.increment
         if abs(r[0]) <= limit and max(abs(r[1]), abs(r[2])) <= limit * strain:
             return now.volume * room >= 0.0 or abs(now.volume) <= limit * strain, now
@@ -122,6 +105,12 @@ def _newton(law, model, flow, problem, mises, room, bound, now):
     return False, now
 
 
+@inside_kernel
+def _allowed(problem, now):
+    """What may be left of the yield function: the tolerance, and round-off of the elasticity."""
+    return problem.tolerance + 10.0 * ROUND_OFF * (now.bulk + problem.shear) / now.flow
+
+
 @beside_kernel
 def _bracketed(law, model, flow, problem, mises, room, bound, increment):
     """Bisection of the plastic strain of the matrix; Newton's method takes over where it finds the root within."""
@@ -130,7 +119,7 @@ def _bracketed(law, model, flow, problem, mises, room, bound, increment):
     for step in range(BISECTIONS):
         if not low < increment < high:
             increment = _between(low, high, bound)
-        level = strength(flow, problem, increment).stress
+        level = matrix_strength(flow, problem, increment).stress
         start = voids_before(model.damage, problem, increment)[0]
         shape, voids = _normal_flow(law, model, problem, mises, room, level, start)
         now = flowing(model, flow, problem, mises, shape, voids, increment)
@@ -146,8 +135,8 @@ def _bracketed(law, model, flow, problem, mises, room, bound, increment):
         if high - low <= 4.0 * ROUND_OFF * high:
             break
         increment = needed if step % 2 == 0 else _between(low, high, bound)
-    limit = 10.0 * allowance(problem, now.flow, now.bulk) / now.flow
-    return abs(residual(law, now)[0]) <= limit, True, now
+    # Inside the surface it ends only where the flow of a law that feels the rate is below round-off.
+    return residual(law, now)[0] <= _allowed(problem, now), True, now
 
 
 @inside_kernel
@@ -160,24 +149,34 @@ def _between(low, high, bound):
 @beside_kernel
 def _normal_flow(law, model, problem, mises, room, flow, start):
     """Deviatoric strain and voids where flow is normal to the surface, at given flow stress and voids at the start."""
-    sign = 1.0 if room > 0.0 else -1.0
     low = start
-    high = start + room if room > 0.0 else max(start + room, TINIEST_VOIDS)
-    shape, voids = 0.0, start
-    if start == 0.0:
-        return max((mises - flow) / (3.0 * problem.shear), 0.0), 0.0
+    high = start + room if room > 0.0 or start == 0.0 else max(start + room, TINIEST_VOIDS)
     for _bisection in range(BISECTIONS):
         voids = math.sqrt(low * high) if high < 0.25 * low else 0.5 * (low + high)
-        if voids in (low, high):
+        if voids in (low, high) or start == 0.0:
             break
-        stress = mean_stress(model.eos, problem, problem.volume - (voids - start))[0]
-        square = remaining_square(law, stress, flow, porosity_of(voids))
-        share = math.sqrt(max(square, 0.0))
-        shape = max((mises - flow * share) / (3.0 * problem.shear), 0.0)
-        f = effective_porosity(law, porosity_of(voids))[0]
-        across = 3.0 * law.q1 * law.q2 * shape * f * math.sinh(argument(law, stress, flow))
-        if square < 0.0 or sign * (2.0 * (voids - start) * share - across) < 0.0:
+        if _is_short(law, model, problem, mises, room, flow, start, voids):
             low = voids
         else:
             high = voids
-    return shape, voids
+    high = high if start > 0.0 else 0.0
+    return _shape_on_surface(law, model, problem, mises, flow, high - start, high)[0], high
+
+
+@inside_kernel
+def _is_short(law, model, problem, mises, room, flow, start, voids):
+    """Whether flow turns normal to the surface nearer to where nothing is left of the mean stress."""
+    volume = voids - start
+    shape, square, x = _shape_on_surface(law, model, problem, mises, flow, volume, voids)
+    across = 3.0 * law.q1 * law.q2 * shape * effective_porosity(law, porosity_of(voids))[0] * math.sinh(x)
+    past_normal = 2.0 * volume * math.sqrt(max(square, 0.0)) - across
+    return square < 0.0 or (past_normal < 0.0 if room > 0.0 else past_normal > 0.0)
+
+
+@inside_kernel
+def _shape_on_surface(law, model, problem, mises, flow, volume, voids):
+    """Deviatoric strain that leads to the surface at a plastic volume, (q / sigma_y)^2 there, and cosh's argument."""
+    stress = mean_stress(model.eos, problem, problem.volume - volume)[0]
+    square = remaining_square(law, stress, flow, porosity_of(voids))
+    shape = max((mises - flow * math.sqrt(max(square, 0.0))) / (3.0 * problem.shear), 0.0)
+    return shape, square, argument(law, stress, flow)

@@ -46,7 +46,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         own = studies.add_parser(
             name, help=summary.replace("%", "%%"), formatter_class=argparse.RawDescriptionHelpFormatter
         )
-        own.description, own.epilog = module.__doc__.replace("%", "%%").split("\n\n", 1)
+        own.description, own.epilog = module.__doc__.split("\n\n", 1)
         module.add_options(own)
         own.set_defaults(execute_study=module.execute, known_options=own.option_names)
 
