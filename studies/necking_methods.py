@@ -62,7 +62,9 @@ def _mpm_implicit(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     import mpm
 
     lines = [np.linspace(0.0, scene.radius, plan.across + 1), _graded(scene.length, plan.along, plan.grading)]
-    return _static(scene, plan, lambda body, **options: mpm.ImplicitSolver(body, cell_size=lines, **options))
+    return _static(
+        scene, plan, lambda body, **options: mpm.ImplicitSolver(body, cell_size=lines, **options)
+    )
 
 
 def _fem_explicit(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
@@ -78,9 +80,7 @@ def _total_mpm(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     # The grid's nodes lie half a cell off the symmetry plane: a row of them has to lie on the end that is pulled.
     size = scene.length / (plan.along + 0.5)
     return _explicit(
-        scene,
-        plan,
-        lambda body, **options: mpm.Solver(body, cell_size=size, configuration="total", **options),
+        scene, plan, lambda body, **options: mpm.Solver(body, cell_size=size, configuration="total", **options)
     )
 
 
@@ -89,7 +89,9 @@ def _updated_mpm(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     import mpm
 
     size = scene.length / (plan.along + 0.5)
-    return _explicit(scene, plan, lambda body, **options: mpm.Solver(body, cell_size=size, **options), CROWD)
+    return _explicit(
+        scene, plan, lambda body, **options: mpm.Solver(body, cell_size=size, **options), CROWD
+    )
 
 
 CROWD = 2  # elements that particles are seeded from along the axis of a cell: each holds two

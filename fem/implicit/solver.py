@@ -29,8 +29,8 @@ from fem.implicit.system import ElementSystem
 from fem.shape_readout import ShapeReadout
 from fem.supports import Supports
 from meshes.axisymmetric import axisymmetric
-from meshes.bodies import bodies_of_nodes
 from meshes.mesh import Mesh
+from meshes.single_body import refuse_several_bodies
 
 
 class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
@@ -83,6 +83,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
         self.geometry = find_geometry(geometry, mesh.dimension)
         check_plane(material, self.geometry)
         self.mesh = axisymmetric(mesh) if geometry in (None, "axisymmetric") and mesh.dimension == 2 else mesh
+        refuse_several_bodies(self.mesh, "fem.ImplicitSolver")
         check_loads(loads, self.mesh, self.geometry, conduction=conduction)
         refuse_damping(loads, "fem.ExplicitSolver")
         self.material = material
@@ -102,9 +103,8 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
             self.threads,
         )  # fmt: skip
         pattern = Pattern(system.tables, ~system.fixed.ravel(), self.threads)
-        bodies = bodies_of_nodes(self.mesh.cells, len(self.mesh.points))
         self._start(
-            self.mesh.points, bodies, system, supports, pattern, increment=increment, smallest=smallest,
+            self.mesh.points, system, supports, pattern, increment=increment, smallest=smallest,
             tolerance=tolerance, iterations=iterations, linear_solver=linear_solver, log=log,
             measure=None if path is None else make_measure(path, self.mesh, supports),
         )  # fmt: skip

@@ -22,8 +22,8 @@ from core_models.material import Material
 from core_models.plane_symmetry import check_plane
 from core_models.threads import Threads
 from meshes.axisymmetric import axisymmetric
-from meshes.bodies import bodies_of_nodes
 from meshes.mesh import Mesh, check_mesh
+from meshes.single_body import refuse_several_bodies
 from mpm.body import Body
 from mpm.configurations import Total
 from mpm.dilatation import find_cure
@@ -63,8 +63,8 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
     with the condition number of the stiffness of the undeformed body.
 
     Supports hold whole faces of the body that are plane and normal to an axis exactly, others by stiff springs
-    (mpm.implicit.weak_supports). A body force at current positions has no
-    stiffness of its own, so that it costs iterations.
+    (mpm.implicit.weak_supports). A body force at current positions has no stiffness of its own, so that it costs
+    iterations.
     `advance` makes one increment. Raises SceneError, MeshError or UnsupportedError for what cannot be.
     """
 
@@ -105,6 +105,7 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
         kind = find_geometry(geometry, mesh.dimension)
         check_plane(material, kind)
         mesh = axisymmetric(mesh) if isinstance(kind, Axisymmetric) else mesh
+        refuse_several_bodies(mesh, "mpm.ImplicitSolver")
         check_loads(loads, mesh, kind)
         refuse_damping(loads, "mpm.Solver")
         planes = held_planes(mesh, kind, loads)
@@ -124,13 +125,12 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
         )  # fmt: skip
         self._grid, self._undeformed = grid, np.broadcast_to(np.eye(3), (self.points.n, 3, 3))
         pattern = Pattern(system.tables, ~system.fixed.ravel(), self.threads)
-        bodies = bodies_of_nodes(grid.nodes, len(grid.places))
         condition = None
-        if not free_motion(grid.places, supports.fixed | self._weak.reached, bodies, kind):
+        if not free_motion(grid.places, supports.fixed | self._weak.reached, kind):
             system.balance(grid.places, 0.0, increment)
             condition = condition_number(pattern, pattern.assemble(system.stiffness()))
         self._start(
-            grid.places, bodies, system, supports, pattern, increment=increment, smallest=smallest,
+            grid.places, system, supports, pattern, increment=increment, smallest=smallest,
             tolerance=tolerance, iterations=iterations, linear_solver=linear_solver, log=log, condition=condition,
         )  # fmt: skip
 
@@ -182,7 +182,7 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
 
     def _free_motion(self) -> str:
         held = self._supports.fixed | self._weak.reached
-        return free_motion(self._nodes, held, self._bodies, self.geometry)
+        return free_motion(self._nodes, held, self.geometry)
 
     def _carry(self) -> None:
         """Let the particles go where the grid is; their velocities are those of the last increment."""

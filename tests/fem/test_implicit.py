@@ -210,12 +210,6 @@ def test_restart_goes_on_bitwise():
         (block([0, 0], [1, 1], [2, 2]), "plane-strain", (), "translation along x, translation along y, rotation"),
         (block([0, 0], [1, 1], [2, 2]), "plane-strain", (Symmetry("bottom"),), "translation along x:"),
         (block([0, 0], [1, 1], [2, 2]), "axisymmetric", (Pressure("right", 1.0),), "translation along z"),
-        (
-            join([block([0, 0], [1, 1], [1, 1]), replace(block([2, 0], [3, 1], [1, 1]), boundaries={})]),
-            "plane-strain",
-            (Fixed("left"),),
-            "of the body with node",
-        ),
         (block([0] * 3, [1] * 3, [1] * 3, "hex8"), None, (Symmetry("left"), Symmetry("bottom")), "along y:"),
     ],
 )  # fmt: skip
@@ -225,6 +219,13 @@ def test_missing_support_is_told_by_its_motion(mesh, geometry, loads, told):
     with pytest.raises(SingularStiffness, match=told) as caught:
         solver.advance()
     assert caught.value.exit_status == 3
+
+
+def test_several_bodies_are_refused():
+    """They would pass through each other: the message says what has contact."""
+    two = join([block([0, 0], [1, 1], [1, 1]), replace(block([2, 0], [3, 1], [1, 1]), boundaries={})])
+    with pytest.raises(UnsupportedError, match="2 bodies, between which fem.ImplicitSolver has no contact"):
+        ImplicitSolver(two, steel(), geometry="plane-strain", loads=(Fixed("left"),), increment=1.0)
 
 
 def test_element_that_inverts_is_named():
