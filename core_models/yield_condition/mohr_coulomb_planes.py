@@ -196,8 +196,9 @@ def flow_on(law, model, flow, problem, values, planes):
         cohesion_factor(law, planes[2]),
     )
     at = strength(flow, problem, 0.0)
+    bulk = mean_stress(model.eos, problem, problem.volume)[1]
     for _iteration in range(2 * MAXIMUM_ITERATIONS):
-        limit = allowance(problem, at.stress, problem.shear)
+        limit = allowance(problem, at.stress, bulk)
         converged, gammas, now = _flow_under(law, model, problem, values, planes, gammas, at.stress, limit)
         if not converged:
             break
@@ -228,22 +229,21 @@ def flow_on(law, model, flow, problem, values, planes):
 def _flow_under(law, model, problem, values, planes, gammas, cohesion, limit):
     """Multipliers of the active planes under a cohesion by Newton's method."""
     now = flowing(law, model, problem, values, planes, gammas)
-    is_close = False
     for _iteration in range(MAXIMUM_ITERATIONS):
         right = (
             excess(law, planes[0], now.stress, cohesion),
             excess(law, planes[1], now.stress, cohesion),
             excess(law, planes[2], now.stress, cohesion),
         )
-        was_close = is_close
-        is_close = max(abs(right[0]), abs(right[1]), abs(right[2])) <= limit
-        if is_close and was_close:
-            return True, gammas, now
+        # One step more, to round-off: cohesion that rises steeply with the rate feels the last digit of the increment.
+        is_near = max(abs(right[0]), abs(right[1]), abs(right[2])) <= limit
         matrix = slopes_of_excess(law, problem, planes, now, 0.0)
         det = determinant(matrix)
         if det == 0.0 or not math.isfinite(det):
-            break
+            return is_near, gammas, now
         step = solved(matrix, det, right)
         gammas = (gammas[0] + step[0], gammas[1] + step[1], gammas[2] + step[2])
         now = flowing(law, model, problem, values, planes, gammas)
+        if is_near:
+            return True, gammas, now
     return False, gammas, now
