@@ -182,7 +182,7 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
 
     def _free_motion(self) -> str:
         held = self._supports.fixed | self._weak.reached
-        return free_motion(self._nodes, held, self._bodies, self.geometry)
+        return free_motion(self._nodes, held, self.geometry)
 
     def _carry(self) -> None:
         """Let the particles go where the grid is; their velocities are those of the last increment."""
