@@ -40,6 +40,7 @@ from fem.implicit.frequency import lowest_frequency
 from fem.implicit.load_limit import ADVICE, growing_loads
 from fem.implicit.path import Path, make_measure
 from fem.implicit.route import PathRoute, Route, TimeRoute
+from fem.implicit.spurious_modes import refuse_spurious_modes
 from fem.implicit.system import ElementSystem
 from fem.shape_readout import ShapeReadout
 from fem.single_body import refuse_several_bodies
@@ -106,6 +107,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout):
         self.material = material
         self.cure = find_cure(cure, mesh.kind, integration)
         _refuse_without_tangent(mesh.kind, integration, self.cure)
+        refuse_spurious_modes(self.mesh, self.geometry, material, self.cure)
         self.threads = Threads(threads)
         self._body = Body(self.mesh, material, self.geometry, integration, self.cure, DEFAULT, self.threads)
         self.mass = float(self._body.nodal_mass.sum())
