@@ -8,18 +8,13 @@ from core_models.damage.hancock_mackenzie import HancockMackenzieDamage
 from core_models.damage.johnson_cook import JohnsonCookDamage
 from core_models.damage.sandia import SandiaDamage
 from core_models.elasticity.cubic import CubicElastic
+from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.elasticity.orthotropic import OrthotropicElastic
 from core_models.elasticity.transversely_isotropic import TransverselyIsotropicElastic
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.neo_hookean import NeoHookean
 from core_models.eos.spalling_mie_gruneisen import SpallingMieGruneisen
-from core_models.flow.anand import Anand
-from core_models.flow.johnson_cook import JohnsonCook
-from core_models.flow.mts import MechanicalThreshold
-from core_models.flow.preston_tonks_wallace import PrestonTonksWallace
-from core_models.flow.steinberg_cochran_guinan import SteinbergCochranGuinan
-from core_models.flow.zerilli_armstrong import ZerilliArmstrong
 from core_models.heating.isentropic import IsentropicHeating
 from core_models.heating.taylor_quinney import TaylorQuinney
 from core_models.shear_modulus.nadal_le_poac import NadalLePoac
@@ -45,13 +40,13 @@ SLOTS_OF_A_SPLIT = (
 )  # fmt: skip
 POROUS = (Gurson,)
 PRESSURE_DEPENDENT = (DruckerPrager, MohrCoulomb)
-RATE_DEPENDENT = (
-    Anand, JohnsonCook, MechanicalThreshold, PrestonTonksWallace, SteinbergCochranGuinan, ZerilliArmstrong,
-)  # fmt: skip
 
 
 class Clash(NamedTuple):
-    """Two slots that do not go together when each holds a law of the given classes: why, and what would fit."""
+    """Two slots that do not go together when each holds a law of the given classes: why, and what would fit.
+
+    updates : those with which it is so.
+    """
 
     slot: str
     laws: tuple[type, ...]
@@ -59,21 +54,64 @@ class Clash(NamedTuple):
     others: tuple[type, ...]
     why: str
     remedy: str
+    updates: tuple[type, ...] = PRESENT
 
     def holds(self, material: Any) -> bool:
         """Whether a material has both."""
         first, second = getattr(material, self.slot), getattr(material, self.other)
-        return isinstance(first, self.laws) and isinstance(second, self.others)
+        has_both = isinstance(first, self.laws) and isinstance(second, self.others)
+        return has_both and isinstance(material.update, self.updates)
 
 
 CLASHES = (
     Clash(
         "update",
-        (*SPLIT_UPDATES, CompressibleNeoHookean, FibreReinforced),
+        (CompressibleNeoHookean, FibreReinforced),
         "elasticity",
         ANISOTROPIC,
         "an anisotropic stiffness is more than the bulk and the shear modulus that this update knows",
-        "take the update st_venant_kirchhoff, or give <bulk_modulus> and <shear_modulus>",
+        "take the update st_venant_kirchhoff or hypoelastic_plastic, or give <bulk_modulus> and <shear_modulus>",
+    ),
+    Clash(
+        "update",
+        (HyperelasticPlastic,),
+        "elasticity",
+        ANISOTROPIC,
+        "the elastic strain b_e of the hyperelastic update does not tell how the axes of the material have turned",
+        "take the update hypoelastic_plastic, or st_venant_kirchhoff for a body that does not flow",
+    ),
+    *(
+        Clash("elasticity", ANISOTROPIC, slot, laws, why, remedy, (HypoelasticPlastic,))
+        for slot, laws, why, remedy in (
+            (
+                "eos", PRESENT, "an anisotropic stiffness gives the mean stress as well, which depends on shear too",
+                "leave the equation of state out",
+            ),
+            (
+                "shear_modulus", PRESENT, "an anisotropic stiffness has no single shear modulus",
+                "leave shear_modulus out",
+            ),
+            (
+                "yield_condition", (*PRESSURE_DEPENDENT, *POROUS),
+                "the return to this surface takes shape and volume apart, which an anisotropic stiffness does not",
+                "take vonMises, or give <bulk_modulus> and <shear_modulus>",
+            ),
+            (
+                "damage", (VoidNucleation,),
+                "the return of a porous body takes shape and volume apart, which an anisotropic stiffness does not",
+                "take another damage law",
+            ),
+            (
+                "objective_rate", PRESENT,
+                "the axes of an anisotropic material turn with R of F = V R, and so must its stress",
+                "leave objective_rate out: the rate is that of Green and Naghdi",
+            ),
+            (
+                "expansion", PRESENT,
+                "thermal expansion acts through the equation of state, which an anisotropic body has not",
+                "leave the thermal expansion out",
+            ),
+        )
     ),
     *(
         Clash(
@@ -88,12 +126,13 @@ CLASHES = (
         for slot in SLOTS_OF_A_SPLIT
     ),
     Clash(
-        "update",
-        SPLIT_UPDATES,
+        "elasticity",
+        (IsotropicElastic,),
         "eos",
         ABSENT,
         "the mean stress comes from an equation of state, so the material needs a law in the slot eos",
         "give one, such as mie_gruneisen",
+        SPLIT_UPDATES,
     ),
     Clash(
         "update",
@@ -141,8 +180,8 @@ CLASHES = (
         "add specific_heat or leave heating out",
     ),
     Clash(
-        "heating", (IsentropicHeating,), "eos", (DefaultHypoelastic, NeoHookean),
-        "heating by volume change needs the Grüneisen gamma, which this equation of state has not",
+        "heating", (IsentropicHeating,), "eos", (DefaultHypoelastic, NeoHookean, *ABSENT),
+        "heating by volume change needs the Grüneisen gamma of an equation of state",
         "take mie_gruneisen, or the heating taylor_quinney",
     ),
     Clash(
@@ -156,31 +195,23 @@ CLASHES = (
         "leave the thermal expansion out",
     ),
     Clash(
-        "stability", PRESENT, "yield_condition", (*PRESSURE_DEPENDENT, *POROUS),
-        "the stability checks know the tangent of continued flow of von Mises' surface alone",
-        "take vonMises or leave stability out",
-    ),
-    Clash(
-        "stability", PRESENT, "damage", (VoidNucleation,),
-        "the stability checks know the tangent of continued flow of von Mises' surface alone",
-        "take vonMises or leave stability out",
-    ),
-    Clash(
-        "stability", PRESENT, "kinematic_hardening", PRESENT,
-        "the stability checks know the tangent of a surface that grows, not of one that moves",
-        "leave one of them out",
-    ),
-    Clash(
         "kinematic_hardening", PRESENT, "damage", (VoidNucleation,),
-        "back stresses move the surface of von Mises", "take vonMises or leave kinematic_hardening out",
+        "a porous body has the back stress of its matrix, for which gurson has no law",
+        "take vonMises or drucker_prager, or leave kinematic_hardening out",
     ),
     Clash(
-        "kinematic_hardening", PRESENT, "yield_condition", (*PRESSURE_DEPENDENT, *POROUS, *ABSENT),
-        "back stresses move the surface of von Mises", "take vonMises or leave kinematic_hardening out",
+        "kinematic_hardening", PRESENT, "yield_condition", POROUS,
+        "a porous body has the back stress of its matrix, for which gurson has no law",
+        "take vonMises or drucker_prager, or leave kinematic_hardening out",
     ),
     Clash(
-        "kinematic_hardening", PRESENT, "objective_rate", PRESENT,
-        "back stresses turn with the rate of Green and Naghdi", "leave objective_rate or kinematic_hardening out",
+        "kinematic_hardening", PRESENT, "yield_condition", (MohrCoulomb,),
+        "back stresses grow along the flow of a round surface, and that on the planes of Mohr-Coulomb leads elsewhere",
+        "take vonMises or drucker_prager, or leave kinematic_hardening out",
+    ),
+    Clash(
+        "kinematic_hardening", PRESENT, "yield_condition", ABSENT,
+        "back stresses move a yield surface, and there is none", "add a flow law or leave kinematic_hardening out",
     ),
     Clash(
         "yield_condition", POROUS, "damage", (JohnsonCookDamage, HancockMackenzieDamage, SandiaDamage, *ABSENT),
@@ -189,21 +220,6 @@ CLASHES = (
     Clash(
         "damage", (VoidNucleation,), "yield_condition", (VonMises, *PRESSURE_DEPENDENT, *ABSENT),
         "these voids act through the yield condition", "take the yield condition gurson",
-    ),
-    Clash(
-        "yield_condition", POROUS, "flow", (Anand,),
-        "the porous yield condition measures stresses by the flow stress, and Anand's matrix has none at rest",
-        "take a flow law with a yield stress",
-    ),
-    Clash(
-        "damage", (VoidNucleation,), "flow", (Anand,),
-        "the porous yield condition measures stresses by the flow stress, and Anand's matrix has none at rest",
-        "take a flow law with a yield stress",
-    ),
-    Clash(
-        "yield_condition", PRESSURE_DEPENDENT, "flow", RATE_DEPENDENT,
-        "the strength of a frictional material feels no strain rate here",
-        "take perfect, isotropic_hardening, power_law, voce, thermal_voce or tabulated",
     ),
     Clash(
         "damage", PRESENT, "flow", ABSENT, "damage grows with plastic strain", "add a flow law or leave damage out"
@@ -219,9 +235,13 @@ def clashes(material: Any) -> Iterator[Clash]:
     return (clash for clash in CLASHES if clash.holds(material))
 
 
-def clash_of(slot: str, law: type, other: str, other_law: type) -> Clash | None:
-    """The row for two laws, by class (type(None) for an empty slot); None if they fit."""
+def clash_of(
+    slot: str, law: type, other: str, other_law: type, update: type = HypoelasticPlastic
+) -> Clash | None:
+    """The row for two laws in an update, by class (type(None) for an empty slot); None if they fit."""
     for clash in CLASHES:
+        if not issubclass(update, clash.updates):
+            continue
         for first, second in (((slot, law), (other, other_law)), ((other, other_law), (slot, law))):
             if (
                 (clash.slot, clash.other) == (first[0], second[0])

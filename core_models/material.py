@@ -5,11 +5,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from core_models.compatibility import WHOLE_UPDATES
+from core_models.compatibility import ANISOTROPIC, WHOLE_UPDATES
 from core_models.effects import Effect, material_effects
 from core_models.errors import MaterialError
 from core_models.laws import (
-    advance_rows,
     back_stress_constants,
     damage_increment,
     elastic_moduli,
@@ -19,7 +18,6 @@ from core_models.laws import (
     heated_fraction,
     melting_temperature,
     pressure,
-    return_to_surface,
     shear_modulus,
     shear_stiffness,
     stability_measure,
@@ -27,6 +25,7 @@ from core_models.laws import (
 )
 from core_models.material_checks import cautions, complaints
 from core_models.model import Model
+from core_models.updates.anisotropic_plastic import AnisotropicPlastic
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.corotation import corotated
 from core_models.updates.fibre_reinforced import FibreReinforced
@@ -34,7 +33,9 @@ from core_models.updates.general import General
 from core_models.updates.general_problem import return_stress
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.updates.interface import advance_rows
 from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
+from core_models.yield_condition.interface import return_to_surface
 from core_models.yield_condition.von_mises import VonMises
 
 SLOTS = {
@@ -67,8 +68,10 @@ class Material:
     ----------
     name : for messages and reports. density : reference density rho_0 [kg/m^3].
     update : HypoelasticPlastic or HyperelasticPlastic; CompressibleNeoHookean, FibreReinforced
-    and StVenantKirchhoff take nothing but an elasticity, only the last one that is anisotropic.
-    The other slots : laws of core_models.<slot>; all but eos and elasticity may be left out.
+    and StVenantKirchhoff take nothing but an elasticity.
+    elasticity : isotropic; anisotropic with HypoelasticPlastic and StVenantKirchhoff.
+    The other slots : laws of core_models.<slot>; all may be left out, but for the eos of a HypoelasticPlastic or
+    HyperelasticPlastic body whose elasticity is isotropic.
     room_temperature : initial temperature unless a body gives its own [K].
     thermal_conductivity : k [W/(m K)], > 0, or None.
     damage_radius : of the neighbourhood over which the growth of damage is averaged [m], > 0; None: local damage.
@@ -145,11 +148,11 @@ class Material:
     def model(self) -> Model:
         """The laws as compiled code sees them."""
         model = Model(*(getattr(self, name) for name in Model._fields))
-        return (
-            model._replace(update=General(self.update, self.update.tolerance))
-            if has_general_return(self)
-            else model
-        )
+        if has_anisotropic_return(self):
+            return model._replace(update=AnisotropicPlastic(self.update, self.update.tolerance))
+        if has_general_return(self):
+            return model._replace(update=General(self.update, self.update.tolerance))
+        return model
 
     @property
     def laws(self) -> tuple:
@@ -184,9 +187,14 @@ def has_general_return(material: Material) -> bool:
     return other or material.kinematic_hardening is not None
 
 
+def has_anisotropic_return(material: Material) -> bool:
+    """Whether the elastic trial needs a whole stiffness and its axes."""
+    return isinstance(material.update, HypoelasticPlastic) and isinstance(material.elasticity, ANISOTROPIC)
+
+
 def laws_for(slot: str) -> set[type]:
     """The classes of laws that a slot takes, apart from those that only the points make."""
     known = set(SLOTS[slot].implementations)
     if slot == "yield_condition":
         known |= set(return_stress.implementations)
-    return {law for law in known - {type(None), General} if not getattr(law, "is_internal", False)}
+    return {law for law in known - {type(None)} if not getattr(law, "is_internal", False)}

@@ -52,6 +52,8 @@ def cautions(m: Any) -> Iterator[Remark]:
             yield Remark(slot, told)
     if getattr(m.damage, "coupling", 0.0) > 0.0 and m.damage_radius is None:
         yield Remark("damage", f"damage weakens the flow stress: {UNREGULARISED}")
+    if isinstance(m.damage, VoidNucleation) and m.damage_radius is None:
+        yield Remark("damage", f"growing voids weaken the body: {UNREGULARISED}; give damage_radius")
     strain = _softening_strain(m) if m.flow is not None else math.inf
     if strain < math.inf:
         yield Remark(
@@ -80,11 +82,6 @@ def _constants(m: Any) -> Iterator[Remark]:
         yield Remark(
             "damage",
             f"damage_radius must be positive, not {m.damage_radius!r} m: leave it out for local damage",
-        )
-    if m.damage_radius is not None and isinstance(m.damage, VoidNucleation):
-        yield Remark(
-            "damage",
-            "damage_radius averages damage that a law adds, not the porosity of gurson_voids: leave it out",
         )
     if m.damage_radius is not None and m.damage is None:
         yield Remark(

@@ -1,4 +1,4 @@
-"""Nonlocal damage: increments of the damage variable, averaged over a neighbourhood of the reference body."""
+"""Nonlocal damage: growth of the damage variable or of the porosity, averaged over a neighbourhood of the body."""
 
 from typing import Any
 
@@ -35,23 +35,25 @@ def bell_weights(positions: np.ndarray, volumes: np.ndarray, radius: float) -> A
 
 
 class NonlocalAverage:
-    """Damage that grows with the average of its growth all around.
+    """What damages a body, grown with the average of its growth all around.
 
-        D_i <- D_i + sum_j w_ij (D_j - D_j,before)   for points that have not failed
+        x_i <- max(x_i + sum_j w_ij (x_j - x_j,before), 0)   for points that take part
 
     Parameters
     ----------
     positions, volumes, radius : see `bell_weights`.
 
-    Failed points (D >= 1 before the step) do not take part: neither do they give, nor does the count of the time since
-    their failure change.
+    x is the damage variable, or the porosity of a porous metal. Failed points (D >= 1 before the step) do not take
+    part: neither do they give, nor does what they have change.
     """
 
     def __init__(self, positions: np.ndarray, volumes: np.ndarray, radius: float) -> None:
         self.weights = bell_weights(positions, volumes, radius)
 
-    def apply(self, before: np.ndarray, after: np.ndarray) -> None:
-        """Replace what a step has added to the damage variables (n,) by its average, in `after`."""
-        is_sound = before < 1.0
-        growth = self.weights @ np.where(is_sound, after - before, 0.0)
-        after[is_sound] = before[is_sound] + growth[is_sound]
+    def apply(self, before: np.ndarray, after: np.ndarray, takes_part: np.ndarray) -> None:
+        """Replace what a step has added to a variable (n,) by its average, in `after`.
+
+        takes_part : (n,) truth values.
+        """
+        growth = self.weights @ np.where(takes_part, after - before, 0.0)
+        after[takes_part] = np.maximum(before[takes_part] + growth[takes_part], 0.0)

@@ -9,9 +9,11 @@ from core_models.laws import stiffness
 from core_models.material import Material
 from core_models.tensors import congruence, transposed
 from core_models.updates.fibre_reinforced import FibreReinforced
+from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
 
 LARGEST_COUPLING = 1e-6  # stress out of the plane by the largest stress
+ANISOTROPIC_UPDATES = (HypoelasticPlastic, StVenantKirchhoff)  # those that know the whole stiffness
 STRAINS_IN_PLANE = tuple(tuple(float(i == j) for j in range(6)) for i in range(4))
 
 
@@ -35,7 +37,7 @@ def coupling_out_of_plane(material: Material) -> float:
     if isinstance(update, FibreReinforced):
         x, y, z = update.fibre
         return math.hypot(x, y) * abs(z) / math.hypot(x, y, z) ** 2
-    return _coupling(stiffness(material.elasticity)) if isinstance(update, StVenantKirchhoff) else 0.0
+    return _coupling(stiffness(material.elasticity)) if type(update) in ANISOTROPIC_UPDATES else 0.0
 
 
 def _coupling(elastic: Stiffness) -> float:

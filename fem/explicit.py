@@ -30,10 +30,10 @@ from fem.external import ExternalForces
 from fem.hourglass import DEFAULT
 from fem.motion import CONTACT, DAMPING, EXTERNAL, FRICTION, IMPULSE, NODE_CHUNK, SUMS, move, wall_mode
 from fem.readout import Readout
-from fem.single_body import refuse_several_bodies
 from fem.supports import Supports
 from meshes.axisymmetric import axisymmetric
 from meshes.mesh import Mesh, check_mesh
+from meshes.single_body import refuse_several_bodies
 
 
 class ExplicitSolver(Restartable, Readout):
@@ -79,7 +79,7 @@ class ExplicitSolver(Restartable, Readout):
         safety: float = 0.9,
     ) -> None:
         check_mesh(mesh)
-        refuse_several_bodies(mesh)
+        refuse_several_bodies(mesh, "fem.ExplicitSolver")
         check_body(material, temperature, viscosity)
         check_between("safety", safety, 0.0, 1.0)
         check_between("hourglass", hourglass, 0.0, 1.0)
@@ -201,7 +201,9 @@ class ExplicitSolver(Restartable, Readout):
     def _resist(self) -> None:
         """All forces and the stable step at the present positions."""
         limit = math.inf if self._conduction is None else self._conduction.limit
-        self.time_step = self.safety * min(self._body.resist(self.positions, self.points), limit)
+        step = self.safety * min(self._body.resist(self.positions, self.points), limit)
+        if step < math.inf:  # debris of a body that erosion has deleted sets no limit: the last one holds
+            self.time_step = step
         self._ledger.hourglass = self._body.hourglass_energy
         self._loads = self._external.at(self.positions, self.time)
         self._damping = damping_rate(self._mass_damping, self.time)

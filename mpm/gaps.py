@@ -24,7 +24,8 @@ def measure_gaps(
     particle in the reference body [m]. gaps : (columns,), written: the lowest face at the column, or with an end
     within a cell of it.
     bilateral : a face that touches the wall is noted in `touched` (faces,) and holds its columns, `held` (columns,),
-    wherever it goes from then on.
+    wherever it goes from then on. Particles that are below the wall close their columns too: at strains above 5 the
+    faces' domains no longer cover the foot, and the bar would run out through the holes.
     """
     last = dimension_of(geometry) - 1
     for column in range(gaps.shape[0]):
@@ -46,6 +47,22 @@ def measure_gaps(
                 gaps,
                 held,
             )
+    for p in range(positions.shape[0]):
+        if positions[p, last] < 0.0:
+            close_columns(geometry, grid, positions, p, gaps)
+
+
+@inside_kernel
+def close_columns(geometry, grid, positions, p, gaps):
+    """Enter the height of particle p at the columns next to it."""
+    first, last = columns_near(grid, 0, positions[p, 0], positions[p, 0])
+    low, high = 0, 0
+    if dimension_of(geometry) == 3:
+        low, high = columns_near(grid, 1, positions[p, 1], positions[p, 1])
+    for row in range(low, high + 1):
+        for column in range(first, last + 1):
+            at = column + EDGE * grid.shape[0] * row
+            gaps[at] = min(gaps[at], positions[p, dimension_of(geometry) - 1])
 
 
 @generic

@@ -16,7 +16,8 @@ class Surface:
     ----------
     faces : of the boundary. particles : all of them, in the reference body.
 
-    particles : (k,) numbers of the particles whose faces they are.
+    particles : (k,) numbers of the particles whose faces they are. reference_points (k, d) [m], reference_vectors
+    (k, d) : outward normals in the reference body, as long as the areas, reference_areas (k,) [m^2].
     """
 
     def __init__(self, faces: Faces, particles: Particles, geometry: Geometry) -> None:
@@ -24,9 +25,11 @@ class Surface:
         self._middles = _middles(faces.corners)
         self._revolved = isinstance(geometry, Axisymmetric)
         self.reference_points = particles.positions[faces.particles] + self._middles[:, 0]
-        vectors = self._vectors(faces.corners, self.reference_points)
-        self.reference_areas = np.linalg.norm(vectors, axis=1)
-        self._thickness = vectors * (particles.volumes[faces.particles] / self.reference_areas**2)[:, None]
+        self.reference_vectors = self._vectors(faces.corners, self.reference_points)
+        self.reference_areas = np.linalg.norm(self.reference_vectors, axis=1)
+        self._thickness = (
+            self.reference_vectors * (particles.volumes[faces.particles] / self.reference_areas**2)[:, None]
+        )
 
     def points(self, positions: np.ndarray, deformation_gradient: np.ndarray) -> np.ndarray:
         """Current middles (k, d) [m] of the faces."""

@@ -1,100 +1,94 @@
-"""The bar necking study: the scene, what is measured while a bar is pulled, and the quantities, by name."""
+"""What is measured while a bar or strip is pulled until it necks, and the quantities of it, by name."""
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
 
 import numpy as np
 
-from core_models.elasticity.isotropic import IsotropicElastic
-from core_models.eos.default_hypo import DefaultHypoelastic
-from core_models.eos.neo_hookean import NeoHookean
-from core_models.flow.voce import Voce
 from core_models.material import Material
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
-from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
-from core_models.yield_condition.von_mises import VonMises
 
-HYPERELASTIC, HYPOELASTIC = "hyperelastic", "hypoelastic"
-
-
-@dataclass(frozen=True)
-class NeckingScene:
-    """A round bar pulled at both ends, of which half is simulated; its ends are free to contract.
-
-    radius, length (of the half), pull (of each end) [m]; taper: radius at the neck over that at the end; duration [s].
-    """
-
-    name: str
-    material: Material
-    radius: float
-    length: float
-    taper: float
-    pull: float
-    duration: float = 1.0
-
-
-def simo_steel(update: str = HYPERELASTIC) -> Material:
-    """The steel of the necking bar: E = 206.9 GPa, nu = 0.29, Voce hardening with a linear term.
-
-    Source: Simo, Comput. Methods Appl. Mech. Eng. 99 (1992) 61.
-    """
-    bulk, shear, flow = 164.206e9, 80.1938e9, Voce(0.45e9, 0.715e9, 16.93, 0.12924e9)
-    laws = {
-        HYPERELASTIC: (HyperelasticPlastic(), NeoHookean(bulk)),
-        HYPOELASTIC: (HypoelasticPlastic(), DefaultHypoelastic(bulk)),
-    }
-    stress_update, eos = laws[update]
-    return Material("steel", 7800.0, stress_update, IsotropicElastic(bulk, shear), eos, flow, VonMises())
-
-
-NECKING_SIMO = NeckingScene("necking-simo", simo_steel(), 6.413e-3, 26.667e-3, 0.982, 7e-3)
+FRACTURED = 0.1  # of the largest force: what is left when a bar is called broken
 
 
 class NeckingHistory:
-    """What is measured while the bar is pulled, row by row.
+    """What is measured while the body is pulled, row by row.
 
-    Columns: elongation of the half and force of the whole bar, neck_radius; centre and surface of the neck's section:
-    plastic strain and triaxiality (mean over equivalent stress), flow_stress (equivalent, at the centre); bridgman: the
-    flow stress that Bridgman's formula gives for the mean axial stress and the profile of the neck.
+    Columns: elongation of the half, force and neck_radius (of a strip: force on the quarter and half width); at centre
+    and surface of the neck's section plastic strain and triaxiality (mean over equivalent stress); at the centre
+    flow_stress (equivalent), axial_stress, temperature and damage; failed: share of points that have failed, and
+    failed_place: distance of the first of them from the axis over the radius there. Of a round bar: bridgman_flow and
+    bridgman_axial, the flow stress and the axial stress at the centre by Bridgman's formulas from the mean axial
+    stress and the profile of the neck.
     """
 
     COLUMNS = (
         "elongation", "force", "neck_radius", "centre_plastic_strain", "centre_triaxiality", "surface_plastic_strain",
-        "surface_triaxiality", "flow_stress", "bridgman",
+        "surface_triaxiality", "flow_stress", "axial_stress", "temperature", "damage", "failed", "failed_place",
+        "bridgman_flow", "bridgman_axial",
     )  # fmt: skip
 
-    def __init__(self, solver) -> None:
+    def __init__(self, rows: Sequence[Sequence[float]] = ()) -> None:
+        self.rows: list[tuple[float, ...]] = [tuple(row) for row in rows]
+
+    def column(self, name: str) -> np.ndarray:
+        """A column by name."""
+        return np.array([row[self.COLUMNS.index(name)] for row in self.rows])
+
+
+class NeckingWatch:
+    """Takes the rows of a history from a solver.
+
+    is_round : whether the body is a bar of revolution; a strip's force is per unit thickness, on a quarter of it.
+    """
+
+    def __init__(self, solver, is_round: bool) -> None:
+        self.history = NeckingHistory()
+        self._is_round = is_round
         self._start = float(solver.boundary_positions("end")[:, -1].mean())
         places = solver.reference_positions
         edge = np.zeros(places.shape[1])
         edge[0] = solver.boundary_positions("neck")[:, 0].max()
         self._centre = int(np.linalg.norm(places, axis=1).argmin())
         self._surface = int(np.linalg.norm(places - edge, axis=1).argmin())
-        self.rows: list[tuple[float, ...]] = []
+        self._failed_place = 0.0
 
     def add(self, solver, force: float) -> None:
         """A row for the present state and a force [N] at the end."""
         neck = float(solver.boundary_positions("neck")[:, 0].max())
-        mean = force / (math.pi * neck**2)
-        state = solver.points.old
-        equivalent, triaxiality = _stress_state(state.stress[[self._centre, self._surface]])
-        self.rows.append(
+        state, centre, surface = solver.points.old, self._centre, self._surface
+        equivalent, triaxiality = _stress_state(state.stress[[centre, surface]])
+        none = np.zeros(solver.points.n)
+        damage = none if state.damage is None else state.damage
+        temperature = none if state.temperature is None else state.temperature
+        failed = damage >= 1.0
+        if self._failed_place == 0.0 and failed.any():
+            self._failed_place = float(np.median(solver.point_positions()[failed, 0])) / neck
+        self.history.rows.append(
             (
                 float(solver.boundary_positions("end")[:, -1].mean()) - self._start,
                 force,
                 neck,
-                float(state.equivalent_plastic_strain[self._centre]),
+                float(state.equivalent_plastic_strain[centre]),
                 float(triaxiality[0]),
-                float(state.equivalent_plastic_strain[self._surface]),
+                float(state.equivalent_plastic_strain[surface]),
                 float(triaxiality[1]),
                 float(equivalent[0]),
-                mean * bridgman_factor(neck, neck_curvature(solver.boundary_positions("side"))),
+                float(state.stress[centre, 1]),
+                float(temperature[centre]),
+                float(damage[centre]),
+                float(failed.mean()),
+                self._failed_place,
+                *self._bridgman(solver, force, neck),
             )  # fmt: skip
         )
 
-    def column(self, name: str) -> np.ndarray:
-        """A column by name."""
-        return np.array([row[self.COLUMNS.index(name)] for row in self.rows])
+    def _bridgman(self, solver, force: float, neck: float) -> tuple[float, float]:
+        if not self._is_round:
+            return 0.0, 0.0
+        curvature = neck_curvature(solver.boundary_positions("side"))
+        flow = force / (math.pi * neck**2) * bridgman_factor(neck, curvature)
+        return flow, flow * (1.0 + math.log1p(0.5 * neck * curvature))
 
 
 def _stress_state(stress: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -138,6 +132,53 @@ def at_elongation(history: NeckingHistory, column: str, elongation: float) -> fl
         if u[-1] >= elongation * (1.0 - 1e-9)
         else None
     )
+
+
+def fracture_elongation(history: NeckingHistory) -> float | None:
+    """Elongation [m] at which the force has fallen to a tenth of the largest; None where it has not."""
+    u, force = history.column("elongation"), history.column("force")
+    largest = int(force.argmax())
+    low = np.flatnonzero(force[largest:] < FRACTURED * force[largest])
+    if not len(low):
+        return None
+    i = largest + int(low[0])
+    share = (force[i - 1] - FRACTURED * force[largest]) / (force[i - 1] - force[i])
+    return float(u[i - 1] + share * (u[i] - u[i - 1]))
+
+
+def load_drop(history: NeckingHistory) -> float:
+    """Elongation [m] at which the force falls most steeply: where a bar with damage tears."""
+    u, force = history.column("elongation"), history.column("force")
+    steepest = int(np.argmin(np.diff(force) / np.diff(u)))
+    return float(0.5 * (u[steepest] + u[steepest + 1]))
+
+
+def first_failure(history: NeckingHistory) -> tuple[float | None, float | None]:
+    """Elongation [m] at which a point has failed first, and its distance from the axis over the neck's radius."""
+    rows = np.flatnonzero(history.column("failed") > 0.0)
+    if not len(rows):
+        return None, None
+    return float(history.column("elongation")[rows[0]]), float(history.column("failed_place")[rows[0]])
+
+
+def quantity(history: NeckingHistory, name: str, at: float | None = None) -> float | None:
+    """A quantity by name: one of QUANTITIES, or a column at an elongation [m]; None where there is no value."""
+    if at is not None:
+        return at_elongation(history, name, at)
+    return QUANTITIES[name](history)
+
+
+QUANTITIES = {
+    "peak_force": lambda history: peak(history)[1],
+    "elongation_at_peak": lambda history: peak(history)[0],
+    "force_at_end": lambda history: float(history.column("force")[-1]),
+    "neck_radius_at_end": lambda history: float(history.column("neck_radius")[-1]),
+    "fracture_elongation": fracture_elongation,
+    "load_drop": load_drop,
+    "first_failure": lambda history: first_failure(history)[0],
+    "place_of_first_failure": lambda history: first_failure(history)[1],
+}
+"""Quantities of a whole history by name, in SI; place_of_first_failure: 0 at the axis, 1 at the surface."""
 
 
 def uniform_peak(material: Material, radius: float) -> float:

@@ -6,6 +6,7 @@ from studies import profile
 from studies.bar_shape import standing
 from studies.convergence import Estimate, extrapolate
 from studies.differences import Difference, difference
+from studies.field_maps import FieldMaps, field_maps
 from studies.reference_check import ReferenceCheck, check_references
 from studies.run_result import RunResult
 from studies.scene import Scene
@@ -25,7 +26,8 @@ class ProfileGap:
 class Comparison:
     """All runs, with the limits of each method's sequence and what follows from them.
 
-    notice: why there is no report, if there is none.
+    maps: the two methods' final fields on one mesh, of two methods only. notice: why there is no report, if there is
+    none.
     """
 
     scene: Scene
@@ -35,7 +37,14 @@ class Comparison:
     differences: list[Difference] = field(default_factory=list)
     references: list[ReferenceCheck] = field(default_factory=list)
     profiles: list[ProfileGap] = field(default_factory=list)
+    maps: FieldMaps | None = None
     notice: str = ""
+
+    def _repr_html_(self) -> str:
+        """As a notebook shows it."""
+        from studies.report.notebook import comparison_html
+
+        return comparison_html(self)
 
     @property
     def failed(self) -> list[RunResult]:
@@ -67,6 +76,7 @@ def conclude(scene: Scene, wall: str, runs: list[RunResult]) -> Comparison:
         first, second = comparison.finest
         comparison.differences = _differences(first, second, comparison.limits)
         comparison.profiles = [_profile_gap(first, second)]
+        comparison.maps = field_maps(first, second)
     return comparison
 
 

@@ -38,7 +38,8 @@ def _told(why: str) -> str:
 
 def _sentence(clash: Clash) -> str:
     first, second = _side(clash.slot, clash.laws), _side(clash.other, clash.others)
-    return f"{first} with {second}: {clash.why}: {clash.remedy}"
+    where = "" if clash.updates == PRESENT else f" in {' or '.join(law.__name__ for law in clash.updates)}"
+    return f"{first} with {second}{where}: {clash.why}: {clash.remedy}"
 
 
 def _side(slot: str, laws: tuple[type, ...]) -> str:

@@ -53,7 +53,9 @@ def difference(
         limit_relative=_relative(gap, estimates[0].value),
         uncertainty=uncertainty,
         agree=agree,
-        verdict=_sentence(name, unit, (first, second), estimates, uncertainty, agree),
+        verdict=verdict_text(
+            name, unit, tuple(find_method(run.method).label for run in (first, second)), estimates
+        ),
     )
 
 
@@ -73,18 +75,15 @@ def _relative(gap: float, base: float) -> float | None:
     return gap / abs(base) if base else None
 
 
-def _sentence(
-    name: str,
-    unit: str,
-    runs: tuple[RunResult, RunResult],
-    estimates: tuple[Estimate, Estimate],
-    uncertainty: float | None,
-    agree: bool | None,
-) -> str:
-    told = [_told(run, estimate, unit) for run, estimate in zip(runs, estimates, strict=True)]
-    gap = estimates[1].value - estimates[0].value
+def verdict_text(name: str, unit: str, labels: tuple[str, str], estimates: tuple[Estimate, Estimate]) -> str:
+    """A sentence: what two methods, by their labels, tend to, and whether these limits agree."""
+    first, second = estimates
+    told = [_told(label, estimate, unit) for label, estimate in zip(labels, estimates, strict=True)]
+    gap = second.value - first.value
+    uncertainty = _combined(first, second)
+    agree = _agreement(gap, uncertainty, first.value)
     by = with_unit(abs(gap), unit, 3)
-    relative = _relative(abs(gap), estimates[0].value)
+    relative = _relative(abs(gap), first.value)
     if relative is not None:
         by += f", {100.0 * relative:.2g} %"
     subject = f"{shown_title(name)}: {told[0]} and {told[1]}"
@@ -97,6 +96,6 @@ def _sentence(
     return f"{subject} differ by {by}, more than their uncertainty ({with_unit(uncertainty, unit, 2)})."
 
 
-def _told(run: RunResult, estimate: Estimate, unit: str) -> str:
+def _told(label: str, estimate: Estimate, unit: str) -> str:
     number = plus_minus(estimate.value, estimate.uncertainty, unit)
-    return f"{find_method(run.method).label} {number} {shown_unit(unit)}".rstrip()
+    return f"{label} {number} {shown_unit(unit)}".rstrip()

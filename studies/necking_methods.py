@@ -1,15 +1,21 @@
-"""The methods that a bar is pulled with until it necks, by name."""
+"""The methods that a bar or strip is pulled with until it necks, by name."""
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
+
+import numpy as np
 
 from core_models.equilibrium.order import newton_orders
 from core_models.loads import Load, Prescribed, Symmetry
+from core_models.material import Material
 from meshes.mesh import Mesh
 from meshes.necking_bar import necking_bar
-from studies.bar_necking import NeckingHistory, NeckingScene
+from meshes.tension_strip import tension_strip
+from studies.bar_necking import NeckingHistory, NeckingWatch
+from studies.material_finder import with_update
+from studies.necking.scene import STRIP, NeckingScene, PlannedRun
 from studies.quasi_static import KineticWatch, slow_enough
 
 ROWS = 140  # of the history of an explicit run
@@ -18,29 +24,17 @@ ELASTIC = 0.15  # share after which the body has taken up much more than its ela
 
 
 @dataclass(frozen=True)
-class NeckingMesh:
-    """Elements across the radius and along the half bar, and size at the neck over that at the end."""
-
-    across: int
-    along: int
-    grading: float = 1.0
-
-    @property
-    def label(self) -> str:
-        """across x along, and the grading where there is one."""
-        return f"{self.across} × {self.along}" + ("" if self.grading == 1.0 else f" graded {self.grading:g}")
-
-
-@dataclass(frozen=True)
 class NeckingRun:
-    """A run: its history and what it cost. increments, cuts, iterations, orders: of Newton's method; steps: explicit.
+    """A run: its history, its final shape and what it cost.
 
-    kinetic_share: largest share of kinetic energy, 0 for a static run. seconds: of processor time.
+    shape : domains (n, 4, 2) [m] of the points, and strains (n,) their plastic strains. increments, cuts, iterations,
+    orders: of Newton's method; steps: explicit. kinetic_share: largest share of kinetic energy, 0 for a static run.
+    seconds: of processor time.
     """
 
-    method: str
-    mesh: NeckingMesh
     history: NeckingHistory
+    shape: np.ndarray
+    strains: np.ndarray
     seconds: float
     steps: int
     kinetic_share: float = 0.0
@@ -49,72 +43,106 @@ class NeckingRun:
     orders: tuple[float, ...] = ()
 
     @property
-    def label(self) -> str:
-        """Method, mesh and, of an implicit run, its increments."""
-        return f"{self.method}, {self.mesh.label}" + (f", {self.steps} increments" if self.iterations else "")
+    def strained_share(self) -> float:
+        """Share of the shape's area where the plastic strain is more than half the largest: small in shear bands."""
+        x, y = self.shape[..., 0], self.shape[..., 1]
+        areas = 0.5 * np.abs((x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1)).sum(axis=1))
+        return float(areas[self.strains > 0.5 * self.strains.max()].sum() / areas.sum())
 
 
-def implicit_run(
-    scene: NeckingScene,
-    mesh: NeckingMesh,
-    increments: int,
-    name: str = "fem-implicit",
-    kind: str = "quad4",
-    **options,
-) -> NeckingRun:
-    """Implicit finite elements in so many increments; options: of `fem.ImplicitSolver`."""
+def make_run(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
+    """One run of a scene; raises MatpointError for what cannot be, or does not come to its end."""
+    material = scene.material if plan.update is None else with_update(scene.material, plan.update)
+    if plan.damage_radius is not None:
+        material = replace(material, damage_radius=plan.damage_radius or None)
+    taper = scene.taper if plan.taper is None else plan.taper
+    duration = scene.duration if plan.duration is None else plan.duration
+    scene = replace(scene, material=material, taper=taper, duration=duration)
+    return METHODS[plan.method](scene, plan)
+
+
+def _fem_implicit(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     import fem
 
-    began = time.process_time()
-    loads = _loads(scene.pull / scene.duration)
-    step = scene.duration / increments
-    solver = fem.ImplicitSolver(
-        _body(scene, mesh, kind), scene.material, loads=loads, increment=step, **options
+    return _static(scene, plan, lambda body, **options: fem.ImplicitSolver(body, **options))
+
+
+def _mpm_implicit(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
+    import mpm
+
+    lines = [np.linspace(0.0, scene.radius, plan.across + 1), _graded(scene.length, plan.along, plan.grading)]
+    return _static(scene, plan, lambda body, **options: mpm.ImplicitSolver(body, cell_size=lines, **options))
+
+
+def _fem_explicit(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
+    import fem
+
+    return _explicit(scene, plan, lambda body, **options: fem.ExplicitSolver(body, **options))
+
+
+def _total_mpm(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
+    """The grid covers the reference body."""
+    import mpm
+
+    # The grid's nodes lie half a cell off the symmetry plane: a row of them has to lie on the end that is pulled.
+    size = scene.length / (plan.along + 0.5)
+    return _explicit(
+        scene,
+        plan,
+        lambda body, **options: mpm.Solver(body, cell_size=size, configuration="total", **options),
     )
-    history = NeckingHistory(solver)
+
+
+def _updated_mpm(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
+    """The grid covers the body as it is; a neck stretches the particles' domains, so that there are many to a cell."""
+    import mpm
+
+    size = scene.length / (plan.along + 0.5)
+    return _explicit(scene, plan, lambda body, **options: mpm.Solver(body, cell_size=size, **options), CROWD)
+
+
+CROWD = 2  # elements that particles are seeded from along the axis of a cell: each holds two
+
+
+METHODS = {
+    "fem-implicit": _fem_implicit,
+    "fem-explicit": _fem_explicit,
+    "mpm-tl": _total_mpm,
+    "mpm-implicit": _mpm_implicit,
+    "mpm": _updated_mpm,
+}
+"""Name of a method: what makes a run of it."""
+
+
+def _static(scene: NeckingScene, plan: PlannedRun, make: Callable) -> NeckingRun:
+    began = time.process_time()
+    solver = make(
+        body_of(scene, plan), material=scene.material, loads=loads_of(scene, scene.pull / scene.duration),
+        increment=scene.duration / plan.increments, geometry=_geometry(scene), **plan.options,
+    )  # fmt: skip
+    watch = NeckingWatch(solver, scene.body != STRIP)
     while solver.time < scene.duration:
         solver.advance(scene.duration)
-        history.add(solver, float(solver.boundary_force("end")[1]))
+        watch.add(solver, float(solver.boundary_force("end")[1]))
     log = solver.log
     return NeckingRun(
-        name, mesh, history, time.process_time() - began, solver.step_count, 0.0, len(log.iterations), len(log.cuts),
-        tuple(newton_orders(log)),
+        watch.history, *_shape(solver), time.process_time() - began, solver.step_count, 0.0, len(log.iterations),
+        len(log.cuts), tuple(newton_orders(log)),
     )  # fmt: skip
 
 
-def explicit_fem_run(scene: NeckingScene, mesh: NeckingMesh, periods: float) -> NeckingRun:
-    """Explicit finite elements, loaded over so many periods of the lowest natural mode."""
-    import fem
-
-    def make(body: Mesh, material, loads: tuple[Load, ...]):
-        return fem.ExplicitSolver(body, material, loads=loads)
-
-    return _explicit_run(scene, mesh, periods, "fem-explicit", make)
-
-
-def total_mpm_run(scene: NeckingScene, mesh: NeckingMesh, periods: float, **options: Any) -> NeckingRun:
-    """Material point method with the grid over the reference body, loaded as slowly."""
-    import mpm
-
-    def make(body: Mesh, material, loads: tuple[Load, ...]):
-        # The grid's nodes lie half a cell off the symmetry plane: a row of them has to lie on the end that is pulled.
-        size = scene.length / (mesh.along + 0.5)
-        return mpm.Solver(body, material, cell_size=size, loads=loads, configuration="total", **options)
-
-    return _explicit_run(scene, mesh, periods, "mpm-tl", make)
-
-
-def _explicit_run(
-    scene: NeckingScene, mesh: NeckingMesh, periods: float, name: str, make: Callable
-) -> NeckingRun:
+def _explicit(scene: NeckingScene, plan: PlannedRun, make: Callable, crowd: int = 1) -> NeckingRun:
     began = time.process_time()
     start = START * scene.duration
     speed = scene.pull / (scene.duration - 0.5 * start)
-    loads = _loads(lambda _places, t: speed * min(t / start, 1.0))
-    body = _body(scene, mesh, "quad4")
-    material = slow_enough(body, scene.material, _loads(0.0), scene.duration, periods)
-    solver = make(body, material, loads)
-    history, watch = NeckingHistory(solver), KineticWatch(ELASTIC * scene.duration)
+    body, material = body_of(scene, plan, crowd), scene.material
+    if plan.periods > 0.0:
+        material = _slowed(scene, plan.periods)
+    loads = loads_of(scene, lambda _places, t: speed * min(t / start, 1.0))
+    solver = make(
+        body, material=material, loads=loads, geometry=_geometry(scene), conduction=plan.conduction, **plan.options
+    )  # fmt: skip
+    watch, kinetic = NeckingWatch(solver, scene.body != STRIP), KineticWatch(ELASTIC * scene.duration)
     for row in range(ROWS):
         # Elastic waves run through the bar: a row's force is the mean over the time since the row before.
         end, impulse = (row + 1) * scene.duration / ROWS, 0.0
@@ -123,16 +151,47 @@ def _explicit_run(
             last = solver.time
             solver.advance(end)
             impulse += float(solver.boundary_force("end")[1]) * (solver.time - last)
-        history.add(solver, impulse / (end - before))
-        watch.look(solver)
-    watch.check()
+        watch.add(solver, impulse / (end - before))
+        if not watch.history.rows[-1][NeckingHistory.COLUMNS.index("failed")]:
+            kinetic.look(solver)
+    if plan.periods > 0.0:
+        kinetic.check()
     seconds = time.process_time() - began
-    return NeckingRun(name, mesh, history, seconds, solver.step_count, watch.share)
+    return NeckingRun(watch.history, *_shape(solver), seconds, solver.step_count, kinetic.share)
 
 
-def _loads(velocity: Any) -> tuple[Load, ...]:
-    return Symmetry("neck"), Prescribed("end", 1, velocity)
+def _slowed(scene: NeckingScene, periods: float) -> Material:
+    """The material with its mass scaled by the lowest mode, which a coarse mesh has as well as a fine one."""
+    coarse = body_of(scene, PlannedRun("", "", 3, 12))
+    loads = loads_of(scene, 0.0)
+    return slow_enough(coarse, scene.material, loads, scene.duration, periods, _geometry(scene))
 
 
-def _body(scene: NeckingScene, mesh: NeckingMesh, kind: str) -> Mesh:
-    return necking_bar(scene.radius, scene.length, mesh.across, mesh.along, scene.taper, mesh.grading, kind)
+def _shape(solver) -> tuple[np.ndarray, np.ndarray]:
+    return solver.domains(), solver.points.old.equivalent_plastic_strain.copy()
+
+
+def _geometry(scene: NeckingScene) -> str:
+    return "plane-strain" if scene.body == STRIP else "axisymmetric"
+
+
+def loads_of(scene: NeckingScene, velocity: Any) -> tuple[Load, ...]:
+    """Supports of the half, or quarter, whose end moves with a velocity [m/s]."""
+    loads = (Symmetry("neck"), Prescribed("end", 1, velocity))
+    if scene.body == STRIP:
+        loads = (Symmetry("symmetry"), *loads)
+    return (*loads, Prescribed("end", 0, 0.0)) if scene.held else loads
+
+
+def body_of(scene: NeckingScene, plan: PlannedRun, crowd: int = 1) -> Mesh:
+    """The mesh of a run, with so many elements along for each that was asked for."""
+    across, along = plan.across, plan.along * crowd
+    if scene.body == STRIP:
+        return tension_strip(scene.radius, scene.length, across, along, scene.taper, plan.kind)
+    return necking_bar(scene.radius, scene.length, across, along, scene.taper, plan.grading, plan.kind)
+
+
+def _graded(length: float, count: int, grading: float) -> np.ndarray:
+    """Lines between cells along the axis [m], the first `grading` times as long as the last."""
+    sizes = grading ** -(np.arange(count) / max(count - 1, 1))
+    return np.concatenate([[0.0], length * np.cumsum(sizes) / sizes.sum()])

@@ -1,6 +1,7 @@
 """What comes of a run, as one object."""
 
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,19 +15,25 @@ from studies.taylor_impact import Quantity
 
 @dataclass(frozen=True)
 class FinalState:
-    """What the report draws: domains (n,4,2) [m], fields by name, outline by part [m]."""
+    """What the report draws: domains (n,4,2) [m], fields by name, outline by part [m].
+
+    reference (n, 2) : places (r, z) in the undeformed bar, above its foot [m]. volumes (n,) : undeformed [m^3].
+    """
 
     domains: np.ndarray
     fields: dict[str, np.ndarray]
     outline: dict[str, np.ndarray]
+    reference: np.ndarray
+    volumes: np.ndarray
 
 
 @dataclass
 class RunResult:
     """A run; when it went wrong `failure` is set and quantities and final state are missing.
 
-    resumed: how often it went on from a checkpoint; ended: why the run ended; conservation: relative errors of
-    mass, momentum, energy; energies [J]; numerical_fracture: what `FractureWatch` has found, or None.
+    folder: where it is kept, or None; resumed: how often it went on from a checkpoint; ended: why the run ended;
+    conservation: relative errors of mass, momentum, energy; energies [J]; numerical_fracture: what `FractureWatch`
+    has found, or None.
     """
 
     scene: Scene
@@ -36,6 +43,7 @@ class RunResult:
     threads: int
     history: History
     cost: Cost
+    folder: Path | None = None
     resumed: int = 0
     failure: RunFailure | DiskFull | None = None
     ended: str = ""
@@ -45,6 +53,12 @@ class RunResult:
     energies: dict[str, float] = field(default_factory=dict)
     numerical_fracture: dict[str, Any] | None = None
     final: FinalState | None = None
+
+    def _repr_html_(self) -> str:
+        """As a notebook shows it."""
+        from studies.report.notebook import run_html
+
+        return run_html(self)
 
     @property
     def status(self) -> str:

@@ -4,6 +4,8 @@ import time
 from contextlib import suppress
 from pathlib import Path
 
+import numpy as np
+
 from core_models.compilation import source_hash
 from core_models.errors import DiskFull, OutputError, RunFailure, UnsupportedError
 from core_models.walls import check_wall
@@ -105,6 +107,7 @@ def simulate(
             checkpoints = Checkpoints(folder, interval, settings, observers, spent)
             observers.append(checkpoints)
         result = RunResult(scene, method, resolution, wall, threads, history, cost, resumed=spent.resumed)
+        result.folder = None if folder is None else folder.path
         result.failure = _advance(solver, ending, observers, cost, saved)
     cost.add(spent.wall_s, spent.cpu_s)
     result.numerical_fracture = fracture.found
@@ -191,7 +194,17 @@ def _conclude(result: RunResult, solver, ending: Ending, contact: ContactWatch, 
 def _final_state(solver) -> FinalState:
     polygons, points = bar_section(solver)
     fields = {name: values[points] for name, values in cell_data(solver).items()}
-    return FinalState(polygons, fields, bar_outline(solver))
+    reference, volumes = _reference(solver)
+    return FinalState(polygons, fields, bar_outline(solver), reference[points], volumes[points])
+
+
+def _reference(solver) -> tuple[np.ndarray, np.ndarray]:
+    """Places (r, z) of all points in the undeformed bar, above its foot, and their volumes there."""
+    places = solver.reference_positions
+    r = np.linalg.norm(places[:, :-1], axis=1)
+    z = places[:, -1] - solver.mesh.points[:, -1].min()
+    stretched = np.linalg.det(solver.points.fields()["deformation_gradient"].array)
+    return np.column_stack([r, z]), solver.point_volumes() / stretched
 
 
 def _conservation(solver, initial_mass: float) -> dict[str, float]:

@@ -27,7 +27,7 @@ SOURCES = [path for package in MAY_IMPORT for path in sorted((ROOT / package).rg
 
 REGISTRY_HOST = re.compile(r"pypi\.org|pythonhosted\.org|npmjs\.org|debian\.org|anaconda\.org|crates\.io")
 MACHINE_PATH = re.compile(r"(?<![\w./])/(?:home|root|work|tmp|Users|opt)/\w")
-TEXT_SUFFIXES = {".py", ".md", ".toml", ".txt", ".xml", ".cfg", ".yml", ".css", ".html", ".csv", ""}
+TEXT_SUFFIXES = {".py", ".md", ".toml", ".txt", ".xml", ".cfg", ".yml", ".css", ".html", ".csv", ".js", ""}
 
 
 def relative(path):

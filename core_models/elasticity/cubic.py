@@ -17,8 +17,8 @@ class CubicElastic(NamedTuple):
     axis_1, axis_2 : two edges of the cube in the reference body, of any length but 0 and not parallel; of axis_2 the
     part normal to axis_1 counts. In axisymmetry their components are r, z, hoop.
 
-    With the update StVenantKirchhoff. In axisymmetry and plane strain one edge, or a diagonal of a face, must be normal
-    to the plane.
+    With the updates StVenantKirchhoff and HypoelasticPlastic.
+    In axisymmetry and plane strain one edge, or a diagonal of a face, must be normal to the plane.
     Source: Nye, Physical Properties of Crystals (1985), ch. 8.
     """
 

@@ -26,7 +26,8 @@ class OrthotropicElastic(NamedTuple):
     axis_1, axis_2 : directions in the reference body, of any length but 0 and not parallel; of axis_2 the part normal
     to axis_1 counts, axis 3 is normal to both. In axisymmetry their components are r, z, hoop.
 
-    With the update StVenantKirchhoff. In axisymmetry and plane strain one axis must be normal to the plane.
+    With the updates StVenantKirchhoff and HypoelasticPlastic.
+    In axisymmetry and plane strain one axis must be normal to the plane.
     Source: Lekhnitskii, Theory of Elasticity of an Anisotropic Body (1981), section 3; Jones, Mechanics of Composite
     Materials (1999), section 2.3.
     """

@@ -24,8 +24,8 @@ class TransverselyIsotropicElastic(NamedTuple):
     nu_23 : Poisson's ratio within the plane normal to it [-], between -1 and 1 - 2 nu_12^2 E_2 / E_1.
     axis : direction in the reference body, of any length but 0; in axisymmetry its components are r, z, hoop.
 
-    With the update StVenantKirchhoff. In axisymmetry and plane strain the axis must lie in the plane or be normal to
-    it.
+    With the updates StVenantKirchhoff and HypoelasticPlastic.
+    In axisymmetry and plane strain the axis must lie in the plane or be normal to it.
     Source: Jones, Mechanics of Composite Materials (1999), section 2.3.
     """
 

@@ -10,12 +10,16 @@ CONVERGED, CUT = "converged", "cut"
 
 @dataclass(frozen=True)
 class Start:
-    """What is solved: number of free degrees of freedom, entries of the stiffness, name of the linear solver."""
+    """What is solved: number of free degrees of freedom, entries of the stiffness, name of the linear solver.
+
+    condition : number of the stiffness of the undeformed body in the 1-norm, an estimate, where the method asks for it.
+    """
 
     method: str
     dofs: int
     entries: int
     linear_solver: str
+    condition: float | None = None
     kind: str = "start"
 
 
@@ -112,7 +116,9 @@ _HEAD = (
 
 def _line(record: Record) -> str:
     if isinstance(record, Start):
-        return f"{record.method}: {record.dofs} free dofs, {record.entries} entries, solved by {record.linear_solver}"
+        condition = "" if record.condition is None else f", condition number {record.condition:.1e}"
+        head = f"{record.method}: {record.dofs} free dofs, {record.entries} entries"
+        return f"{head}, solved by {record.linear_solver}{condition}"
     head = f"{record.increment:5d} {record.attempt:3d}"
     if isinstance(record, Increment):
         reason = f": {record.reason}" if record.reason else ""

@@ -10,6 +10,11 @@ from core_models.threads import Threads
 SLOT_CHUNK = 4096  # entries of the matrix; fixed, so that sums do not depend on the number of threads
 
 
+def dofs_of(nodes: np.ndarray, dimension: int) -> np.ndarray:
+    """Degrees of freedom (m, a d) of cells with nodes (m, a): d node + component."""
+    return (dimension * nodes[:, :, None] + np.arange(dimension)).reshape(len(nodes), -1)
+
+
 class Pattern:
     """Compressed rows of a matrix that small square blocks add up to.
 

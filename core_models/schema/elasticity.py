@@ -19,7 +19,7 @@ ANISOTROPY = SlotSchema(
         ModelSchema(
             types=("orthotropic",),
             law=OrthotropicElastic,
-            help="three planes of symmetry; with st_venant_kirchhoff",
+            help="three planes of symmetry; with st_venant_kirchhoff or hypoelastic_plastic",
             parameters=(
                 Parameter("E_1", "Pa", POSITIVE, "Young's modulus along axis 1"),
                 Parameter("E_2", "Pa", POSITIVE, "Young's modulus along axis 2"),
@@ -36,7 +36,7 @@ ANISOTROPY = SlotSchema(
         ModelSchema(
             types=("transversely_isotropic",),
             law=TransverselyIsotropicElastic,
-            help="the same in all directions normal to an axis; with st_venant_kirchhoff",
+            help="the same in all directions normal to an axis; with st_venant_kirchhoff or hypoelastic_plastic",
             parameters=(
                 Parameter("E_1", "Pa", POSITIVE, "Young's modulus along the axis"),
                 Parameter("E_2", "Pa", POSITIVE, "Young's modulus across the axis"),
@@ -49,7 +49,7 @@ ANISOTROPY = SlotSchema(
         ModelSchema(
             types=("cubic",),
             law=CubicElastic,
-            help="a crystal whose three axes are alike; with st_venant_kirchhoff",
+            help="a crystal whose three axes are alike; with st_venant_kirchhoff or hypoelastic_plastic",
             parameters=(
                 Parameter("C_11", "Pa", POSITIVE, "stress along an axis over strain along it"),
                 Parameter("C_12", "Pa", ANY, "stress across over strain along an axis"),

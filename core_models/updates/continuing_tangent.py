@@ -7,18 +7,14 @@ smallest rate dependence, and takes the heat of the plastic work in.
 from core_models.columns import gather, get_point
 from core_models.compilation import CHUNK, beside_kernel, inside_kernel, material_kernel
 from core_models.dispatch import generic
-from core_models.laws import (
-    evolve_hardening,
-    flow_stress,
-    heat_capacity,
-    heated_fraction,
-    predict_carefully,
-    stress_measure,
-)
+from core_models.laws import evolve_hardening, flow_stress, heat_capacity, heated_fraction
 from core_models.rows import BLOCK, F0, get_tensor
 from core_models.updates import hyperelastic_tangent, hypoelastic_tangent  # noqa: F401
 from core_models.updates.conditions import flow_before
 from core_models.updates.elastoplastic_tangent import linearise_point
+from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
+from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.updates.interface import predict_carefully, stress_measure
 from core_models.updates.prediction import Correction, has_no_strength
 
 YIELDING = 1.0 - 1e-6  # of the flow stress without rate, from which a point is taken to flow on
@@ -45,13 +41,34 @@ def continuing_tangents(first, last, workspace, model, f, state, stresses, tange
             gather(rows, start, count, f, f, None, state)
             for k in range(count):
                 continue_point(
-                    model, get_tensor(rows, F0, k), get_point(rows, k), start + k, stresses, tangents
+                    model.update, rows, k, model, get_point(rows, k), start + k, stresses, tangents
                 )
 
 
+@generic
+def continue_point(update, rows, k, model, point, place, stresses, tangents):
+    """Write first Piola stress and tangent of a point; that of an elastic step where it does not flow.
+
+    Parameters
+    ----------
+    update : the stress update. rows, k, point : where the point stands, its deformation gradient as F0, and its state.
+    model : laws. place, stresses, tangents : see `continuing_tangents`, and the number of the point.
+    """
+
+
+@continue_point.register(HypoelasticPlastic)
+def _(update, rows, k, model, point, place, stresses, tangents):
+    continue_radially(model, get_tensor(rows, F0, k), point, place, stresses, tangents)
+
+
+@continue_point.register(HyperelasticPlastic)
+def _(update, rows, k, model, point, place, stresses, tangents):
+    continue_radially(model, get_tensor(rows, F0, k), point, place, stresses, tangents)
+
+
 @inside_kernel
-def continue_point(model, f, point, place, stresses, tangents):
-    """Write first Piola stress and tangent of a point; that of an elastic step where it does not flow."""
+def continue_radially(model, f, point, place, stresses, tangents):
+    """The same for von Mises' surface at rest."""
     _status, prediction, _rotation = predict_carefully(model.update, model, f, f, point)
     j = prediction.volume_ratio_1
     flow = flow_before(model, point, j)

@@ -95,6 +95,16 @@ def back(turn, v):
 
 
 @inside_kernel
+def forth(turn, v):
+    """Vector R v."""
+    return (
+        turn[0] * v[0] + turn[1] * v[1] + turn[2] * v[2],
+        turn[3] * v[0] + turn[4] * v[1] + turn[5] * v[2],
+        turn[6] * v[0] + turn[7] * v[1] + turn[8] * v[2],
+    )
+
+
+@inside_kernel
 def half_spin(spin, change):
     """Vector w of dH = H [w] for the rotation H of `half_turned` as the spin changes."""
     x, y, z = 0.25 * spin[0], 0.25 * spin[1], 0.25 * spin[2]

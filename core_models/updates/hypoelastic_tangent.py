@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from core_models.compilation import inside_kernel
 from core_models.quaternions import rotation_matrix
 from core_models.rotation import asymmetry, rotation_increment, slightly_turned
 from core_models.tensors import (
@@ -34,8 +35,8 @@ class UnrotatedMotion(NamedTuple):
     """The step in the frame before it, see `HypoelasticPlastic`.
 
     objective_rate : law or None. rotation_before : R_0; increment : Q; whole : that of the rate's frame (nine
-    components each). before, after : stretches V_0 and U; over_sum : (U + V_0)^-1; spin : (tr U 1 - U)^-1; strain : d;
-    trial : trial stress [Pa]; stress_before : deviator [Pa] (six components each). shear : modulus [Pa].
+    components each). before, after : stretches V_0 and U; over_sum : (U + V_0)^-1; spin : (tr U 1 - U)^-1; strain : d
+    (six components each).
     """
 
     objective_rate: tuple | None
@@ -47,6 +48,14 @@ class UnrotatedMotion(NamedTuple):
     over_sum: tuple
     spin: tuple
     strain: tuple
+
+
+class UnrotatedTrial(NamedTuple):
+    """A motion with the deviatoric trial stress that it leads to and that before (six components each) [Pa], and the
+    shear modulus [Pa].
+    """
+
+    motion: UnrotatedMotion
     trial: tuple
     stress_before: tuple
     shear: float
@@ -55,25 +64,25 @@ class UnrotatedMotion(NamedTuple):
 linearise_rows.register(HypoelasticPlastic)(linearise_elastoplastic)
 
 
-@kinematics.register(HypoelasticPlastic)
-def _(update, material, f0, f1, point, prediction):
-    shear = shear_before(material, point, prediction.volume_ratio_0)
-    r0, v0, a = unrotated(f0, f1, point.rotation)
+@inside_kernel
+def unrotated_motion(objective_rate, f0, f1, rotation):
+    """The step from f0, of the rotation vector given, to f1."""
+    r0, v0, a = unrotated(f0, f1, rotation)
     q, u = rotation_increment(a)
-    over_sum = symmetric_inverse(plus(u, v0))
-    d, whole = corotated(material.objective_rate, v0, u, q)
-    s0 = deviator(point.stress)
+    d, whole = corotated(objective_rate, v0, u, q)
     spin = symmetric_inverse((u[1] + u[2], u[0] + u[2], u[0] + u[1], -u[3], -u[4], -u[5]))
-    trial = plus(s0, scaled(deviator(d), 2.0 * shear))
     return UnrotatedMotion(
-        material.objective_rate, rotation_matrix(r0), rotation_matrix(q), rotation_matrix(whole), v0, u, over_sum,
-        spin, d, trial, s0, shear,
+        objective_rate, rotation_matrix(r0), rotation_matrix(q), rotation_matrix(whole), v0, u,
+        symmetric_inverse(plus(u, v0)), spin, d,
     )  # fmt: skip
 
 
-@trial_change.register(HypoelasticPlastic)
-def _(update, motion, towards, prediction):
-    """With m = Q^T dF R_0^T: (tr U 1 - U) w = axial(m - m^T), dQ = Q [w], dU = sym(m - [w] U)."""
+@inside_kernel
+def strain_change(motion, towards):
+    """Change of the strain increment in a direction, and the vector w of dQ = Q [w] of the rate's frame.
+
+    With m = Q^T dF R_0^T: (tr U 1 - U) w = axial(m - m^T) for Q = R_1 R_0^T, dU = sym(m - [w] U).
+    """
     m = transposed_product(motion.increment, product_transposed(towards.gradient, motion.rotation_before))
     x, y, z = asymmetry(m)
     g = motion.spin
@@ -83,21 +92,34 @@ def _(update, motion, towards, prediction):
         g[5] * x + g[4] * y + g[2] * z,
     )
     stretch = plus(symmetric_part(m), minus(slightly_turned(motion.after, spin), motion.after))
-    rate, spin = corotated_change(
+    return corotated_change(
         motion.objective_rate, motion.before, motion.after, motion.over_sum, stretch, spin
     )
+
+
+@kinematics.register(HypoelasticPlastic)
+def _(update, material, f0, f1, point, prediction):
+    motion = unrotated_motion(material.objective_rate, f0, f1, point.rotation)
+    shear = shear_before(material, point, prediction.volume_ratio_0)
+    s0 = deviator(point.stress)
+    return UnrotatedTrial(motion, plus(s0, scaled(deviator(motion.strain), 2.0 * shear)), s0, shear)
+
+
+@trial_change.register(HypoelasticPlastic)
+def _(update, motion, towards, prediction):
+    rate, spin = strain_change(motion.motion, towards)
     change = scaled(deviator(rate), 2.0 * motion.shear)
     turning = scaled(minus(motion.trial, slightly_turned(motion.trial, spin)), 2.0)
     stress = prediction.stress
     return Prediction(
-        congruence(motion.whole, plus(change, turning)),
+        congruence(motion.motion.whole, plus(change, turning)),
         0.0,
         towards.volume_ratio,
         1.5 * contract(motion.trial, change) / stress if stress > 0.0 else 0.0,
         0.0,
         0.0,
         contract(motion.stress_before, rate),
-        contract(change, motion.strain) + contract(motion.trial, rate),
+        contract(change, motion.motion.strain) + contract(motion.trial, rate),
     )
 
 

@@ -6,6 +6,7 @@ from core_models.kernels import add_balance, is_finite
 from core_models.rows import BLOCK
 from core_models.status import NOT_FINITE, OK
 from core_models.updates import (  # noqa: F401
+    anisotropic_tangent,
     fibre_reinforced_tangent,
     general_tangent,
     hyperelastic_tangent,

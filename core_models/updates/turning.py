@@ -44,21 +44,6 @@ def _(objective_rate, f0, f1, rotation_0, rotation_1):
     return rotation_matrix(corotated(objective_rate, before, after, increment)[1])
 
 
-@generic
-def rotation_after(update, f, rotation):
-    """R (nine components) of a deformation gradient, or from the rotation vector."""
-
-
-@rotation_after.register(HypoelasticPlastic)
-def _(update, f, rotation):
-    return rotation_matrix(quaternion(rotation))
-
-
-@rotation_after.register(HyperelasticPlastic)
-def _(update, f, rotation):
-    return polar(f)
-
-
 @beside_kernel
 def polar(f):
     """Rotation of F = R U."""

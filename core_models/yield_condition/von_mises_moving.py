@@ -1,14 +1,8 @@
 """Von Mises yield condition about a back stress: the return of kinematic hardening."""
 
 from core_models.compilation import beside_kernel, inside_kernel
-from core_models.rotation import slightly_turned
-from core_models.tensors import contract, equivalent_stress, minus, plus, scaled
-from core_models.updates.back_stress import (
-    move_back_stresses,
-    reach,
-    recovered,
-    recovered_before,
-)
+from core_models.tensors import contract, minus, scaled
+from core_models.updates.back_stress import move_back_stresses
 from core_models.updates.general_problem import (
     ELASTIC,
     Returned,
@@ -19,6 +13,8 @@ from core_models.updates.general_problem import (
     strength,
     unchanged,
 )
+from core_models.updates.root import next_guess
+from core_models.yield_condition.shifted import deviator_change, shifted, shifted_before, shifted_change
 from core_models.yield_condition.von_mises import VonMises
 
 MAXIMUM_ITERATIONS = 100
@@ -27,63 +23,53 @@ PLASTIC = 1  # regime
 
 @return_stress.register(VonMises)
 def _(yield_condition, model, flow, problem, rows, k):
-    """With xi = s - sum alpha exp(-gamma dp), which gives the direction of flow, one equation for dp:
+    """With the direction of flow given by the shifted trial stress, one equation for dp:
 
-    q(xi) - 3 G dp - sum C [1 - exp(-gamma dp)] / gamma = sigma_y(dp)
+    q(xi_trial) - R - 3 G dp = sigma_y(dp)
     """
+    hardening = model.kinematic_hardening
     stress, bulk = mean_stress(model.eos, problem, problem.volume)
-    xi = minus(problem.trial, recovered(model.kinematic_hardening, 0.0, rows, k)[0])
-    if equivalent_stress(xi) <= strength(flow, problem, 0.0).stress:
+    if shifted(hardening, problem, 0.0, rows, k).size <= strength(flow, problem, 0.0).stress:
         return unchanged(problem, stress, bulk)
-    has_converged, increment, direction, variable = _search(model.kinematic_hardening, flow, problem, rows, k)
-    stored = (
-        move_back_stresses(model.kinematic_hardening, increment, direction, rows, k) if has_converged else 0.0
-    )
+    has_converged, increment = _search(hardening, flow, problem, rows, k)
+    direction = shifted(hardening, problem, increment, rows, k).direction
+    stored = move_back_stresses(hardening, increment, direction, rows, k) if has_converged else 0.0
     deviator = minus(problem.trial, scaled(direction, 3.0 * problem.shear * increment))
     return Returned(
-        status_of(has_converged), PLASTIC, deviator, problem.volume, stress, bulk, increment, variable,
-        problem.porosity, stored,
+        status_of(has_converged), PLASTIC, deviator, problem.volume, stress, bulk, increment,
+        strength(flow, problem, increment).variable, problem.porosity, stored,
     )  # fmt: skip
 
 
 @beside_kernel
-def _search(kinematic_hardening, flow, problem, rows, k):
-    """The increment of plastic strain, whose residual falls with it, and xi / q(xi)."""
-    xi = minus(problem.trial, recovered(kinematic_hardening, 0.0, rows, k)[0])
+def _search(hardening, flow, problem, rows, k):
+    """The increment of plastic strain, whose residual falls with it."""
+    start = shifted(hardening, problem, 0.0, rows, k)
     low, high = 0.0, 0.0
     for _doubling in range(MAXIMUM_ITERATIONS):
-        high = 2.0 * high + equivalent_stress(xi) / problem.shear
-        if _residual(kinematic_hardening, flow, problem, high, rows, k)[0] < 0.0:
+        high = 2.0 * high + start.size / problem.shear
+        if _residual(hardening, flow, problem, high, rows, k)[0] < 0.0:
             break
-    increment = 0.0
+    increment = (start.size - strength(flow, problem, 0.0).stress) / (3.0 * problem.shear)
     for _iteration in range(MAXIMUM_ITERATIONS):
-        residual, slope, size, direction, variable = _residual(
-            kinematic_hardening, flow, problem, increment, rows, k
-        )
+        residual, slope, size = _residual(hardening, flow, problem, increment, rows, k)
         if abs(residual) <= problem.tolerance * size or high - low <= 1e-15 * high:
-            return True, increment, direction, variable
+            return True, increment
         if residual > 0.0:
             low = increment
         else:
             high = increment
-        increment -= residual / slope
-        if not low < increment < high:
-            increment = 0.5 * (low + high)
-    return False, 0.0, problem.trial, problem.hardening_variable
+        increment = next_guess(increment, residual, slope, low, high)
+    return False, 0.0
 
 
 @inside_kernel
-def _residual(kinematic_hardening, flow, problem, increment, rows, k):
-    """Residual of the equation for dp, its slope, q(xi), xi / q(xi) and the hardening variable."""
-    total, falling = recovered(kinematic_hardening, increment, rows, k)
-    xi = minus(problem.trial, total)
-    size = equivalent_stress(xi)
-    direction = scaled(xi, 1.0 / size)
-    added, added_slope = reach(kinematic_hardening, increment)
+def _residual(hardening, flow, problem, increment, rows, k):
+    """Residual of the equation for dp, its slope, and q(xi_trial)."""
+    at = shifted(hardening, problem, increment, rows, k)
     now = strength(flow, problem, increment)
-    residual = size - 3.0 * problem.shear * increment - added - now.stress
-    slope = 1.5 * contract(direction, falling) - 3.0 * problem.shear - added_slope - now.slope
-    return residual, slope, size, direction, now.variable
+    residual = at.reached - 3.0 * problem.shear * increment - now.stress
+    return residual, at.slope - 3.0 * problem.shear - now.slope, at.size
 
 
 @return_change.register(VonMises)
@@ -91,17 +77,8 @@ def _(yield_condition, model, flow, problem, returned, rows, k, trial, shear, me
     if returned.regime == ELASTIC:
         return trial, mean
     increment = returned.increment
-    direction = scaled(minus(problem.trial, returned.deviator), 1.0 / (3.0 * problem.shear * increment))
-    total, falling = recovered_before(model.kinematic_hardening, increment, direction, rows, k)
-    size = equivalent_stress(minus(problem.trial, total))
-    stiffness = 3.0 * problem.shear + reach(model.kinematic_hardening, increment)[1]
-    stiffness += strength(flow, problem, increment).slope - 1.5 * contract(direction, falling)
-    shift = minus(trial, scaled(minus(total, slightly_turned(total, spin)), 2.0))
-    growth = (1.5 * contract(direction, shift) - 3.0 * increment * shear) / stiffness
-    xi = plus(shift, scaled(falling, growth))
-    turning = scaled(minus(xi, scaled(direction, 1.5 * contract(direction, xi))), 1.0 / size)
-    taken = plus(
-        scaled(direction, 3.0 * (problem.shear * growth + shear * increment)),
-        scaled(turning, 3.0 * problem.shear * increment),
-    )
-    return minus(trial, taken), mean
+    now = shifted_before(model.kinematic_hardening, problem, returned, rows, k)
+    shift = shifted_change(now, trial, spin)
+    stiffness = 3.0 * problem.shear + strength(flow, problem, increment).slope - now.slope
+    growth = (1.5 * contract(now.direction, shift) - 3.0 * increment * shear) / stiffness
+    return deviator_change(now, problem, increment, shift, trial, shear, growth), mean

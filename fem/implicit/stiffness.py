@@ -20,14 +20,20 @@ from typing import NamedTuple
 import numpy as np
 
 from core_models.compilation import beside_kernel, kernel
+from core_models.equilibrium.mean_dilatation import (
+    COFACTOR,
+    FORCE,
+    MEAN,
+    OWN,
+    VECTORS,
+    linearise_point,
+    put_cofactor,
+)
 from core_models.state import read
 from core_models.tensors import THIRD
 from fem.cures.projection import PRESSURE, PROJECTED, RATIO, project
 from fem.deformation import ELEMENT_CHUNK
 from fem.elements import MOST_POINTS, nodes_of, points_of
-
-# Vectors of nine numbers in the scratch: F, F^-T, A + (P p) C, A_theta, m, and products with the tangent T.
-_F, _H, _A, _L, _M, _TF, _FT = range(7)
 
 
 class ElementScratch(NamedTuple):
@@ -50,7 +56,7 @@ class ElementScratch(NamedTuple):
 def make_scratch(dofs: int) -> ElementScratch:
     """Scratch for elements of so many degrees of freedom."""
     return ElementScratch(
-        np.zeros((MOST_POINTS, 4)), np.zeros((7, 9)), np.zeros((9, 9)), np.zeros((dofs, 9)),
+        np.zeros((MOST_POINTS, 4)), np.zeros((VECTORS, 9)), np.zeros((9, 9)), np.zeros((dofs, 9)),
         np.zeros((MOST_POINTS, dofs)), np.zeros((MOST_POINTS, dofs)), np.zeros(dofs), np.zeros(dofs),
     )  # fmt: skip
 
@@ -94,7 +100,7 @@ def stiffen(
             for q in range(points):
                 k = points * e + q
                 n = linearise_point(
-                    scratch, gradients, read(scales, k, 1.0), stresses, tangents, k,
+                    scratch.vectors, scratch.matrix, gradients, read(scales, k, 1.0), stresses, tangents, k,
                     scratch.columns[q, PROJECTED + PRESSURE],
                 )  # fmt: skip
                 add_point(element, tables, operator, scratch, e, q, n, forces, matrices)
@@ -116,7 +122,7 @@ def put_means(element, cure, tables, operator, gradients, scales, stresses, e, s
             for i in range(dimension):
                 total = 0.0
                 for j in range(operator.counts[i]):
-                    total += scratch.vectors[_H, operator.rows[i, j]] * tables.gradients[e, q, a, j]
+                    total += scratch.vectors[COFACTOR, operator.rows[i, j]] * tables.gradients[e, q, a, j]
                 scratch.cofactors[q, dimension * a + i] = total
     project(cure, element, tables, e, scratch.columns, PRESSURE)
     for dof in range(dimension * nodes):
@@ -125,62 +131,6 @@ def put_means(element, cure, tables, operator, gradients, scales, stresses, e, s
         project(cure, element, tables, e, scratch.columns, RATIO)
         for q in range(points):
             scratch.means[q, dof] = scratch.columns[q, PROJECTED + RATIO]
-
-
-@beside_kernel
-def put_cofactor(gradients, k, factor, vectors):
-    """Write F = factor Fbar of point k and its cofactor to the vectors; det Fbar."""
-    for row in range(9):
-        vectors[_F, row] = factor * gradients[k, row // 3, row % 3]
-    for i in range(3):
-        for j in range(3):
-            i1, i2, j1, j2 = (i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3
-            vectors[_H, 3 * i + j] = (
-                vectors[_F, 3 * i1 + j1] * vectors[_F, 3 * i2 + j2]
-                - vectors[_F, 3 * i1 + j2] * vectors[_F, 3 * i2 + j1]
-            )
-    ratio = 0.0
-    for j in range(3):
-        ratio += vectors[_F, j] * vectors[_H, j]
-    return ratio / (factor * factor * factor)
-
-
-@beside_kernel
-def linearise_point(scratch, gradients, s, stresses, tangents, k, pressure):
-    """Fill A + (P p) C, A_theta, m and A_F + (P p) dC/dF of point k in the scratch; return n. pressure : (P p)."""
-    v, b = scratch.vectors, scratch.matrix
-    theta = put_cofactor(gradients, k, 1.0 / s, v)
-    ratio = theta / (s * s * s)
-    stress_work, tangent_work = 0.0, 0.0
-    for i in range(9):
-        v[_H, i] /= ratio
-        v[_TF, i], v[_FT, i] = 0.0, 0.0
-        for j in range(9):
-            v[_TF, i] += tangents[k, i, j] * v[_F, j]
-            v[_FT, i] += tangents[k, j, i] * v[_F, j]
-        stress_work += stresses[k, i // 3, i % 3] * v[_F, i]
-    for i in range(9):
-        tangent_work += v[_F, i] * v[_TF, i]
-    energy = s * stress_work * THIRD
-    energy_theta = (s * s * tangent_work + s * stress_work) * THIRD * THIRD / theta
-    for i in range(9):
-        stress = stresses[k, i // 3, i % 3]
-        slope = s * s * (v[_FT, i] - tangent_work * THIRD * v[_H, i])
-        slope = THIRD * (slope + s * (stress - stress_work * THIRD * v[_H, i]))
-        v[_M, i] = slope / theta
-        v[_L, i] = s * THIRD / theta * (stress + s * v[_TF, i]) - energy_theta * v[_H, i]
-        v[_A, i] = s * stress + (pressure * ratio - energy) * v[_H, i]
-    for i in range(9):
-        stress = stresses[k, i // 3, i % 3]
-        for j in range(9):
-            twist = v[_H, 3 * (i // 3) + j % 3] * v[_H, 3 * (j // 3) + i % 3]
-            b[i, j] = (
-                s * s * (tangents[k, i, j] - THIRD * v[_TF, i] * v[_H, j])
-                - s * THIRD * stress * v[_H, j]
-                - v[_H, i] * (theta * v[_M, j] - pressure * ratio * v[_H, j])
-                + (energy - pressure * ratio) * twist
-            )
-    return (energy_theta - energy / theta) / theta
 
 
 @beside_kernel
@@ -197,9 +147,9 @@ def add_point(element, tables, operator, scratch, e, q, n, forces, matrices):
                 half[dof, row] = 0.0
             for j in range(operator.counts[i]):
                 g, row = weight * tables.gradients[e, q, a, j], operator.rows[i, j]
-                force += g * v[_A, row]
-                own += g * v[_L, row]
-                mean += g * v[_M, row]
+                force += g * v[FORCE, row]
+                own += g * v[OWN, row]
+                mean += g * v[MEAN, row]
                 for column in range(9):
                     half[dof, column] += g * b[row, column]
             forces[e, dof] -= force

@@ -2,7 +2,9 @@
 
 import numpy as np
 
+from core_models.equilibrium.gradient_operator import gradient_operator
 from core_models.equilibrium.newton import Balance
+from core_models.equilibrium.pattern import dofs_of
 from core_models.geometry import Geometry
 from core_models.laws import elastic_moduli
 from core_models.loads import Load, Pressure, at_time
@@ -15,7 +17,6 @@ from fem.elements import Sized
 from fem.external import ExternalForces
 from fem.facets import BoundaryFacets
 from fem.implicit.follower import pressure_stiffness
-from fem.implicit.operator import gradient_operator
 from fem.implicit.stiffness import make_scratch, stiffen
 from fem.supports import Supports
 from meshes.mesh import Mesh
@@ -97,11 +98,6 @@ class ElementSystem:
     def _flowing(self) -> np.ndarray:
         new, old = self._points.new.equivalent_plastic_strain, self._points.old.equivalent_plastic_strain
         return np.zeros(self._points.n, dtype=np.bool_) if new is None else new > old
-
-
-def dofs_of(nodes: np.ndarray, dimension: int) -> np.ndarray:
-    """Degrees of freedom (m, a d) of elements with nodes (m, a): d node + component."""
-    return (dimension * nodes[:, :, None] + np.arange(dimension)).reshape(len(nodes), -1)
 
 
 def _elastic_force(body: Body, material: Material, dimension: int) -> float:

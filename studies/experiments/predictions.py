@@ -7,6 +7,7 @@ import numpy as np
 
 from core_models.cards import shipped_materials
 from core_models.cards.reader import read_material
+from core_models.errors import RunFailure
 from studies import profile
 from studies.bar_shape import foot_height
 from studies.experiments.shots import Shot, read_shots
@@ -43,12 +44,13 @@ def predict(shot: str, card: str, method: str, resolution: int, within: float) -
     """The row of one run: what it began with, what it has cost, predicted values and their errors.
 
     Errors are relative to what was measured; that of the undeformed length, which may be next to nothing, to L0.
-    Raises RunFailure when the run goes wrong, or does not end within so many seconds.
+    Raises RunFailure, which says how long the bar was by then, when the run goes wrong or does not end within so many
+    seconds.
     """
     asked = next(each for each in read_shots() if each.name == shot)
     result = simulate(scene_of(asked, card), method, resolution, within=within)
     if result.failure is not None:
-        raise result.failure
+        raise RunFailure(f"{result.failure}; {_shortened(asked, result)}") from result.failure
     predicted = _values(result)
     errors = {
         name: (predicted[name] - value) / (asked.length if name == "undeformed_length" else value)
@@ -66,12 +68,17 @@ def predict(shot: str, card: str, method: str, resolution: int, within: float) -
         "ended": result.ended,
         "points": result.points,
         "steps": result.cost.steps,
-        "seconds": result.cost.stepping_s,
+        "seconds": result.cost.cpu_s,
         "measured": asked.measured,
         "predicted": predicted,
         "errors": errors,
         "profile_distance": _distance(asked, result),
     }
+
+
+def _shortened(shot: Shot, result: RunResult) -> str:
+    length, measured = result.history.column("length")[-1], shot.measured["final_length"]
+    return f"the bar was {1e3 * length:.2f} mm long by then, measured are {1e3 * measured:.2f} mm"
 
 
 def _values(result: RunResult) -> dict[str, float]:

@@ -5,17 +5,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from core_models.errors import OutputError
 from studies.experiments.predictions import CARDS, predict
 from studies.experiments.shots import read_shots
 from studies.experiments.tables import sections
-from studies.output_folder import OutputFolder, ResumedFolder
 from studies.report.study_page import Report, write_report
 from studies.run_record import to_json
+from studies.study_folder import study_folder
 from studies.sweep.job import COMPLETE, Job
 from studies.sweep.sweep import run_sweep
-
-SETTINGS = "study.json"
+from studies.versions import processor, versions
 
 
 @dataclass(frozen=True)
@@ -27,8 +25,8 @@ class Extent:
     within: float
 
 
-FULL = Extent((("fem-explicit", 6), ("mpm", 8)), 9, 60.0)
-QUICK = Extent((("fem-explicit", 3), ("mpm", 4)), 1, 8.0)
+FULL = Extent((("fem-explicit", 4), ("mpm", 8)), 9, 40.0)
+QUICK = Extent((("fem-explicit", 3), ("mpm", 6)), 1, 8.0)
 
 
 @dataclass(frozen=True)
@@ -68,7 +66,7 @@ def compare_experiments(
     only: Callable[[Job], bool] = lambda job: True,
     tell: Callable[[dict[str, Any], int, int], None] = lambda result, done, all_: None,
 ) -> Outcome:
-    """Run all shots and write runs/*.json, tables as CSV, report.html and report.md.
+    """Run all shots and write runs/*.json, results.json, tables as CSV, report.html and report.md.
 
     going_on : `out` is the folder of a study that was stopped; runs in it that are complete are kept.
     scheduler, workers, tell : see `studies.sweep.sweep`. only : which jobs to do.
@@ -76,22 +74,13 @@ def compare_experiments(
     """
     extent = QUICK if quick else FULL
     settings = {"study": "experiments", "quick": quick}
-    with ResumedFolder(out) if going_on else OutputFolder(out) as folder:
-        if going_on and not _is_ours(folder, settings):
-            raise OutputError(
-                f"{out}: holds no experiments study {'with' if quick else 'without'} --quick to go on with; "
-                "start one with --out"
-            )
-        folder.write_text(SETTINGS, to_json(settings))
+    with study_folder(out, settings, going_on) as folder:
         jobs = [job for job in jobs_of(extent) if only(job)]
         results = run_sweep(jobs, folder, scheduler=scheduler, workers=workers, tell=tell)
+        record = {**settings, "results": results, "versions": versions(), "processor": processor()}
+        folder.write_text("results.json", to_json(record))
         remark = write_report(_report(results, extent, quick), folder)
     return Outcome(results, remark)
-
-
-def _is_ours(folder: OutputFolder, settings: dict) -> bool:
-    path = folder.path / SETTINGS
-    return path.exists() and path.read_text(encoding="utf-8") == to_json(settings)
 
 
 def _report(results: list[dict[str, Any]], extent: Extent, quick: bool) -> Report:

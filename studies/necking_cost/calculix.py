@@ -13,7 +13,7 @@ import numpy as np
 
 from core_models.errors import RunFailure, UnsupportedError
 from meshes.mesh import Mesh
-from studies.bar_necking import NeckingScene
+from studies.necking.scene import NeckingScene
 
 PROGRAM = "ccx"
 _ELEMENTS = {"quad4": "CAX4R", "quad8": "CAX8R"}

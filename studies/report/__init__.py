@@ -1,1 +1,1 @@
-"""The report of a comparison: one self-contained HTML page with vector figures that follow light and dark."""
+"""Reports: self-contained HTML pages with vector figures that follow light and dark, Markdown, CSV tables."""

@@ -7,8 +7,10 @@ import io
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
+from html import escape
 
 from core_models.errors import UnsupportedError
+from studies.report.hover import attribute, curve_data
 
 INK, FAINT, GRID = "#010101", "#020202", "#030303"
 METHOD_COLOURS = {"fem-explicit": "#040404", "mpm": "#050505"}
@@ -92,4 +94,6 @@ def as_svg(figure, name: str, alternative: str) -> str:
     svg = re.sub(r'id="(figure|axes|patch|text|line2d|matplotlib\.axis|xtick|ytick)_\d+"', "", svg)
     size = re.search(r'width="[\d.]+pt" height="[\d.]+pt" ', svg)
     svg = svg.replace(size.group(), "", 1) if size else svg
-    return svg.replace("<svg ", f'<svg role="img" aria-label="{alternative}" ', 1)
+    data = curve_data(figure, VARIABLES)
+    curves = f' data-curves="{attribute(data)}"' if data else ""
+    return svg.replace("<svg ", f'<svg role="img" aria-label="{escape(alternative)}"{curves} ', 1)

@@ -1,10 +1,9 @@
 """Final shapes side by side, coloured by a field: one method left of the axis, the other right."""
 
-import numpy as np
-
 from studies.comparison import Comparison
 from studies.methods import find_method
-from studies.report.drawing import FAINT, INK, as_svg, drawing
+from studies.report.drawing import as_svg, drawing
+from studies.report.half_shapes import LEFT, MILLIMETRES, RIGHT, draw_half, extent, finish, size
 from studies.run_result import RunResult
 
 FIELDS = {
@@ -12,9 +11,6 @@ FIELDS = {
     "temperature": ("Temperature [K]", "inferno"),
     "damage": ("Johnson-Cook damage", "cividis"),
 }
-MILLIMETRES = 1e3
-WIDTH = 5.2  # inches, of the figure; SCALE: of half the picture's width
-SCALE = 1.95
 
 
 def field_pictures(comparison: Comparison) -> list[str]:
@@ -34,47 +30,15 @@ def _range(name: str, runs: list[RunResult]) -> tuple[float, float]:
 
 
 def _picture(name: str, runs: list[RunResult], wall: str) -> str:
-    from matplotlib.collections import PolyCollection
-
     title, colours = FIELDS[name]
-    half_width, top = _extent(runs)
-    with drawing(WIDTH, SCALE * top / half_width + 0.9) as (figure, ax):
-        lowest, highest = _range(name, runs)
-        for run, side in ((runs[0], -1.0), (runs[-1], 1.0)):
-            drawn = PolyCollection(
-                run.final.domains * [side * MILLIMETRES, MILLIMETRES],
-                array=run.final.fields[name],
-                cmap=colours,
-                clim=(lowest, highest),
-                linewidths=0.0,
-                antialiased=False,
-                rasterized=True,
-            )
-            ax.add_collection(drawn)
-            _outline(ax, run, side)
+    half_width, top = extent(runs)
+    with drawing(*size(half_width, top)) as (figure, ax):
+        limits = _range(name, runs)
+        for run, side in ((runs[0], LEFT), (runs[-1], RIGHT)):
+            drawn = draw_half(ax, run, run.final.fields[name], side, colours, limits)
             _name(ax, run, side)
-        ax.axvline(0.0, color=FAINT, linewidth=0.6)
-        ax.axhline(0.0, color=INK, linewidth=1.4)
-        ax.set(xlabel="r [mm]", ylabel="z [mm]", aspect="equal")
-        ax.set(xlim=(-half_width, half_width), ylim=(-0.03 * top, top))
-        ax.xaxis.set_major_formatter(lambda value, _: f"{abs(value):g}")
-        ax.grid(visible=False)
-        bar = figure.colorbar(drawn, ax=ax, shrink=0.85, pad=0.02)
-        bar.outline.set_visible(False)
-        figure.suptitle(f"{title}, wall {wall}", x=0.01, ha="left", fontsize=10.5, fontweight="bold")
+        finish(figure, ax, drawn, half_width, top, f"{title}, wall {wall}")
         return as_svg(figure, name, f"{title} on both final shapes")
-
-
-def _extent(runs: list[RunResult]) -> tuple[float, float]:
-    """Half width and height of the picture [mm], with room for the names above the shapes."""
-    radius = max(run.final.outline["side"][:, 0].max() for run in runs) * MILLIMETRES
-    height = max(run.final.outline["rear"][:, 1].max() for run in runs) * MILLIMETRES
-    return max(1.1 * radius, 0.6 * height), 1.27 * height
-
-
-def _outline(ax, run: RunResult, side: float) -> None:
-    line = np.concatenate([run.final.outline[part] for part in ("foot", "side", "rear")])
-    ax.plot(*(line * [side * MILLIMETRES, MILLIMETRES]).T, color=INK, linewidth=0.7)
 
 
 def _name(ax, run: RunResult, side: float) -> None:

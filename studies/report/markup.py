@@ -1,30 +1,58 @@
 """Small pieces of HTML."""
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 
+WORDY = 34  # letters of a cell above which its column holds running text
+FAMILIES = re.compile(r"(fem|mpm)\b", re.IGNORECASE)
+UNIT = re.compile(r" \[([^\]]+)\]")
+MARKS = {"on": "on", "stable": "on", "yes": "on", "off": "off", "FAILED": "bad", "failed": "bad", "✓": "on"}
+"""Cells that are a verdict, and their classes in the style."""
 
-def table(head: Iterable[str], rows: Iterable[Iterable[str]], words: tuple[int, ...] = ()) -> str:
-    """A table; the first cell of a row is its header; columns in `words` hold running text."""
 
-    def cell(tag: str, index: int, content: str) -> str:
-        kind = ' class="words"' if index in words else ""
-        return f"<{tag}{kind}>{content}</{tag}>"
+def table(head: Sequence[str], rows: Sequence[Sequence[str]], places: Mapping[str, str] | None = None) -> str:
+    """A table of plain text; the first cell of a row is its header.
 
-    top = "".join(cell("th", i, content) for i, content in enumerate(head))
-    body = "".join(
-        "<tr>"
-        + "".join(cell("th" if i == 0 else "td", i, content) for i, content in enumerate(row))
-        + "</tr>"
+    places : titles of sections and their places on the page; a first cell that is such a title leads there. Methods
+    have their colours, units stand back, and a column of running text is left aligned and wraps.
+    """
+    wordy = [max((len(row[k]) for row in rows), default=0) > WORDY for k in range(len(head))]
+    top = "".join(
+        f"<th{_class(wordy[k] and k > 0, text)}>{_with_unit(text)}</th>" for k, text in enumerate(head)
+    )
+    lines = "".join(
+        "<tr>" + "".join(_cell(k, text, wordy[k], places or {}) for k, text in enumerate(row)) + "</tr>"
         for row in rows
     )
-    return f'<div class="wide"><table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table></div>'
+    return f'<div class="wide"><table><thead><tr>{top}</tr></thead><tbody>{lines}</tbody></table></div>'
+
+
+def _cell(index: int, text: str, wordy: bool, places: Mapping[str, str]) -> str:
+    if index > 0:
+        return f"<td{_class(wordy, _mark(text))}>{escape(text)}</td>"
+    content = f'<a href="#{places[text]}">{escape(text)}</a>' if text in places else _with_unit(text)
+    return f'<th scope="row"{_class(wordy, text)}>{content}</th>'
+
+
+def _mark(text: str) -> str:
+    return "bad" if text.endswith(" not met") else MARKS.get(text, "")
+
+
+def _class(wordy: bool, text: str) -> str:
+    family = FAMILIES.match(text)
+    names = ["words"] * wordy + ([family[1].lower()] if family else []) + [text] * (text in MARKS.values())
+    return f' class="{" ".join(names)}"' if names else ""
+
+
+def _with_unit(text: str) -> str:
+    return UNIT.sub(r' <span class="unit">\1</span>', escape(text))
 
 
 def panels(pictures: Iterable[str], caption: str) -> str:
     """Figures side by side where there is room, with one caption."""
     inner = "".join(f"<figure>{picture}</figure>" for picture in pictures)
-    return f'<div class="pair">{inner}</div>{note(caption)}' if inner else ""
+    return f'<div class="pair">{inner}</div>{note(caption) if caption else ""}' if inner else ""
 
 
 def note(text: str) -> str:
@@ -32,10 +60,11 @@ def note(text: str) -> str:
     return f'<p class="note">{escape(text)}</p>'
 
 
-def section(title: str, *content: str) -> str:
-    """A section with its heading; nothing at all when there is no content."""
+def section(title: str, *content: str, place: str = "") -> str:
+    """A section with its heading, at a place that links can name; nothing at all when there is no content."""
     inner = "".join(content)
-    return f"<section><h2>{escape(title)}</h2>{inner}</section>" if inner else ""
+    here = f' id="{escape(place)}"' if place else ""
+    return f"<section{here}><h2>{escape(title)}</h2>{inner}</section>" if inner else ""
 
 
 def items(kind: str, entries: Iterable[tuple[str, str]]) -> str:

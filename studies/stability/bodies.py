@@ -48,10 +48,10 @@ def hyperelastic(material: Material) -> Material:
     return replace(material, update=HyperelasticPlastic(1e-10))
 
 
-def bar_mesh(variant: str, *, scale: float = 1.0, **options: Any) -> Mesh:
-    """A bar of the variant's kind of element, RADIUS times a scale."""
+def bar_mesh(variant: str, *, scale: float = 1.0, across: int = ACROSS, **options: Any) -> Mesh:
+    """A bar of the variant's kind of element, RADIUS times a scale, so many elements across it."""
     radius = scale * RADIUS
-    return taylor_bar(radius, ASPECT * radius, ACROSS, kind=read_variant(variant).kind, **options)
+    return taylor_bar(radius, ASPECT * radius, across, kind=read_variant(variant).kind, **options)
 
 
 def bar(
@@ -76,8 +76,8 @@ def bar(
     return Solver(body, material, cell_size=cell, **options)
 
 
-def square(variant: str, *, distortion: float = 0.0) -> Mesh:
-    """A square of 2 RADIUS along each edge, from (0, 0) on."""
-    counts = [2 * ACROSS, 2 * ACROSS]
+def square(variant: str, *, across: int = 2 * ACROSS, distortion: float = 0.0) -> Mesh:
+    """A square of 2 RADIUS along each edge, from (0, 0) on, so many elements along it."""
+    counts = [across, across]
     edge = 2.0 * RADIUS
     return block([0.0, 0.0], [edge, edge], counts, read_variant(variant).kind, distortion=distortion, seed=1)

@@ -1,12 +1,7 @@
-"""One cell of the matrix: a case by a variant, run and judged.
+"""One cell of the matrix: a case by a variant, run and judged."""
 
-In a process of its own: python -m studies.stability.cell CASE VARIANT [--quick], which prints the result as JSON.
-"""
-
-import json
 import logging
 import math
-import sys
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -14,7 +9,6 @@ import numpy as np
 
 from core_models.errors import MatpointError
 from studies.stability.case import Case
-from studies.stability.cases import find_case
 
 STABLE, RESCUED, REFUSED, FAILED = "stable", "stable after redoing steps", "refused", "failed"
 QUICKLY = 10  # times fewer steps
@@ -59,7 +53,9 @@ def run_cell(case: Case, variant: str, quick: bool) -> Cell:
     logger.addHandler(redone)
     logger.setLevel(logging.INFO)
     try:
-        _advance(case, case.build(variant), cell, case.steps // QUICKLY if quick else case.steps)
+        solver = case.build(variant)
+        _advance(case, solver, cell, case.steps // QUICKLY if quick else case.steps)
+        redone.count += _cuts(solver)
     except MatpointError as error:
         cell.verdict, cell.why = REFUSED, str(error)
     except Exception as error:
@@ -73,6 +69,11 @@ def run_cell(case: Case, variant: str, quick: bool) -> Cell:
     elif cell.verdict == STABLE and cell.redone:
         cell.verdict = RESCUED
     return cell
+
+
+def _cuts(solver: Any) -> int:
+    """Increments that an implicit solver has cut; 0 for others."""
+    return len(solver.log.cuts) if hasattr(solver, "log") else 0
 
 
 def _advance(case: Case, solver: Any, cell: Cell, steps: int) -> None:
@@ -92,10 +93,14 @@ def _advance(case: Case, solver: Any, cell: Cell, steps: int) -> None:
 
 
 def _look(solver: Any, cell: Cell) -> None:
-    drift = abs(solver.ledger.relative_error)
-    finite = np.isfinite(solver.point_positions()).all() and math.isfinite(drift)
-    cell.drift = max(cell.drift, drift) if finite else math.inf
+    cell.drift = max(cell.drift, energy_drift(solver))
     cell.smallest_ratio = min(cell.smallest_ratio, float(solver.points.volume_ratio.min()))
+
+
+def energy_drift(solver: Any) -> float:
+    """How much the energy is off, relative to what there was or came in; infinite where a number is none."""
+    drift = abs(solver.ledger.relative_error)
+    return drift if np.isfinite(solver.point_positions()).all() and math.isfinite(drift) else math.inf
 
 
 def as_json(cell: Cell) -> dict[str, Any]:
@@ -104,8 +109,3 @@ def as_json(cell: Cell) -> dict[str, Any]:
         name: None if isinstance(value, float) and not math.isfinite(value) else value
         for name, value in asdict(cell).items()
     }
-
-
-if __name__ == "__main__":
-    made = run_cell(find_case(sys.argv[1]), sys.argv[2], "--quick" in sys.argv[3:])
-    print(json.dumps(as_json(made)))

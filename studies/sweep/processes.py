@@ -1,42 +1,51 @@
 """Jobs in processes of this machine, without Dask: a process that dies costs its own job only."""
 
 import multiprocessing
+from collections import deque
 from collections.abc import Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, ProcessPoolExecutor, wait
 from typing import Any
 
 from studies.sweep.job import Job, failed, perform
 
-TRIES = 2  # of a job whose process died, alone the last time
-
 
 def results_by_processes(jobs: Sequence[Job], workers: int) -> Iterator[dict[str, Any]]:
-    """Results in the order in which they come."""
-    left = list(jobs)
-    for width in [workers] + [1] * (TRIES - 1):
-        # A process that dies takes the pool, and all that it was working on, with it: those jobs are tried again.
-        lost: list[Job] = []
-        for group in [left] if width > 1 else [[job] for job in left]:
-            for job, result in _in_pool(group, width):
-                if result is None:
-                    lost.append(job)
-                else:
-                    yield result
-        left = lost
-        if not left:
-            return
-    for job in left:
-        yield failed(job.key, "its process died twice: perhaps for want of memory; try a coarser resolution")
+    """Results in the order in which they come; a job whose process died is tried once more, alone."""
+    left, lost = deque(jobs), []
+    while left:
+        for job, result in _in_pool(left, workers):
+            if result is None:
+                lost.append(job)
+            else:
+                yield result
+    for job in lost:
+        ((_, result),) = _in_pool(deque([job]), 1)
+        yield result or failed(
+            job.key, "its process died twice: perhaps for want of memory; try a coarser resolution"
+        )
 
 
-def _in_pool(jobs: Sequence[Job], workers: int) -> Iterator[tuple[Job, dict[str, Any] | None]]:
+def _in_pool(left: deque[Job], workers: int) -> Iterator[tuple[Job, dict[str, Any] | None]]:
+    """Do jobs that are left, as many at a time as there are workers, until none is or a process dies.
+
+    A process that dies takes the pool, and all that it was working on, with it: those jobs have no result.
+    """
     context = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(workers, mp_context=context) as pool:
-        waiting: dict[Future, Job] = {pool.submit(perform, job): job for job in jobs}
-        while waiting:
-            for future in wait(waiting, return_when=FIRST_COMPLETED).done:
-                job = waiting.pop(future)
+        working: dict[Future, Job] = {}
+        broken = False
+        while working or (left and not broken):
+            while left and not broken and len(working) < workers:
+                job = left.popleft()
+                try:
+                    working[pool.submit(perform, job)] = job
+                except BrokenExecutor:
+                    left.appendleft(job)
+                    broken = True
+            for future in wait(working, return_when=FIRST_COMPLETED).done:
+                job = working.pop(future)
                 try:
                     yield job, future.result()
                 except BrokenExecutor:
+                    broken = True
                     yield job, None

@@ -1,18 +1,16 @@
 """A sweep: jobs that are not done yet are done, and each result is kept as soon as it comes."""
 
-import json
 import os
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 from core_models.errors import UnsupportedError
 from studies.output_folder import OutputFolder
-from studies.run_record import to_json
+from studies.study_folder import keep, kept
 from studies.sweep.dask_cluster import client_of, is_installed, results_by_dask
 from studies.sweep.job import COMPLETE, Job
 from studies.sweep.processes import results_by_processes
 
-KEPT = "runs"
 Result = dict[str, Any]
 
 
@@ -36,15 +34,14 @@ def run_sweep(
     done = len(jobs) - len(left)
     for result in _results(left, scheduler, workers or len(os.sched_getaffinity(0))) if left else ():
         known[result["key"]] = result
-        folder.write_text(f"{KEPT}/{result['key']}.json", to_json(result))
+        keep(folder, result["key"], result)
         done += 1
         tell(result, done, len(jobs))
     return [known[job.key] for job in jobs]
 
 
 def _kept(folder: OutputFolder, key: str) -> Result | None:
-    path = folder.path / KEPT / f"{key}.json"
-    result = json.loads(path.read_text()) if path.exists() else None
+    result = kept(folder, key)
     return result if result and result["status"] == COMPLETE else None
 
 

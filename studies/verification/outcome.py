@@ -3,6 +3,8 @@
 import math
 from dataclasses import dataclass, field
 
+import numpy as np
+
 Cell = str | float | int | None
 
 
@@ -57,6 +59,20 @@ class Plot:
     logarithmic: bool = False
 
 
+@dataclass(frozen=True)
+class Picture:
+    """A field on a deformed body, or on several side by side.
+
+    label : of the values. panels : name -> domains (n, 4, 2) [m] and values (n,). limits : of the colours, or None for
+    the smallest and the largest value.
+    """
+
+    title: str
+    label: str
+    panels: dict[str, tuple[np.ndarray, np.ndarray]]
+    limits: tuple[float, float] | None = None
+
+
 @dataclass
 class Outcome:
     """All that a problem has to say; `remarks` are sentences for the reader."""
@@ -65,4 +81,5 @@ class Outcome:
     tables: list[Table] = field(default_factory=list)
     plots: list[Plot] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
+    pictures: list[Picture] = field(default_factory=list)
     seconds: float = 0.0

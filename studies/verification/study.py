@@ -8,13 +8,14 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from core_models.errors import SceneError, UnsupportedError
+from core_models.errors import SceneError
 from core_models.names import suggestion
 from studies.output_folder import OutputFolder
+from studies.report.study_page import write_report
 from studies.run_record import to_json
 from studies.verification.outcome import Outcome
 from studies.verification.problem import Problem
-from studies.verification.report import Results, report_page
+from studies.verification.report import Results, report_of
 from studies.versions import processor, versions
 
 PROBLEMS = {
@@ -40,20 +41,36 @@ PROBLEMS = {
 """Name of a problem: its module in `problems`, and its name there."""
 
 
-NECKING = {"necking-simo": ("necking_simo", "PROBLEM")}
-"""Problems of the necking study, in the same form."""
+LIMIT_LOADS = {
+    "thick-cylinder": ("thick_cylinder", "PROBLEM"),
+    "thick-sphere": ("thick_sphere", "PROBLEM"),
+    "footing": ("footing", "PROBLEM"),
+    "solder-lap": ("solder_lap", "PROBLEM"),
+    "reversed-bar": ("reversed_bar", "PROBLEM"),
+}
+"""Problems of the study of limit loads, in the same form."""
 
-STUDIES = {"verification": PROBLEMS, "necking": NECKING}
+NECKING_COST = {"calculix": ("beside_calculix", "PROBLEM"), "dofs": ("against_dofs", "PROBLEM")}
+"""Problems of the study of what necking costs."""
+
+STUDIES = {"verification": PROBLEMS, "limit-loads": LIMIT_LOADS, "necking-cost": NECKING_COST}
 """Problems of each study."""
+
+_PACKAGES = {
+    "verification": "studies.verification.problems",
+    "limit-loads": "studies.limit_loads",
+    "necking-cost": "studies.necking_cost",
+}
 
 
 def find_problem(name: str) -> Problem:
     """The problem of that name, in whichever study; SceneError with the nearest one otherwise."""
-    problems = PROBLEMS | NECKING
-    if name not in problems:
-        raise SceneError(f"no verification problem is called {name!r}; {suggestion(name, problems)}")
-    module, variable = problems[name]
-    return getattr(import_module(f"studies.verification.problems.{module}"), variable)
+    for study, problems in STUDIES.items():
+        if name in problems:
+            module, variable = problems[name]
+            return getattr(import_module(f"{_PACKAGES[study]}.{module}"), variable)
+    known = [each for problems in STUDIES.values() for each in problems]
+    raise SceneError(f"no verification problem is called {name!r}; {suggestion(name, known)}")
 
 
 def verify(
@@ -63,7 +80,7 @@ def verify(
     tell: Callable[[Problem, Outcome], None] = lambda problem, outcome: None,
     study: str = "verification",
 ) -> Results:
-    """Run problems of a study, in the order of their names here, and write results.json and report.html.
+    """Run problems of a study, in the order of their names here, and write results.json, tables and reports.
 
     tell : called with every problem as soon as it has run. Raises SceneError, OutputError before anything is run.
     """
@@ -74,11 +91,10 @@ def verify(
             outcome = timed(problem, quick)
             results.append((problem, outcome))
             tell(problem, outcome)
-        folder.write_text("results.json", to_json(_plain(results_entry(results, quick, study))))
-        try:
-            folder.write_text("report.html", report_page(results, quick, study.capitalize()))
-        except UnsupportedError as reason:
-            results[-1][1].remarks.append(f"{reason}; results.json is complete")
+        folder.write_text("results.json", to_json(plain(results_entry(results, quick, study))))
+        remark = write_report(report_of(results, quick, study.replace("-", " ").capitalize()), folder)
+        if remark:
+            results[-1][1].remarks.append(remark)
     return results
 
 
@@ -114,10 +130,10 @@ def results_entry(results: Results, quick: bool, study: str = "verification") ->
     }
 
 
-def _plain(content: Any) -> Any:
+def plain(content: Any) -> Any:
     """The same without infinite numbers and NaN, which JSON does not have: they become null."""
     if isinstance(content, dict):
-        return {name: _plain(value) for name, value in content.items()}
+        return {name: plain(value) for name, value in content.items()}
     if isinstance(content, list | tuple):
-        return [_plain(value) for value in content]
+        return [plain(value) for value in content]
     return None if isinstance(content, float) and not math.isfinite(content) else content

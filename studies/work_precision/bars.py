@@ -36,8 +36,8 @@ def scene_problem(scene: Scene, wall: str) -> WorkProblem:
         if reference.wall == wall and not reference.source.startswith("experiment")
     }
 
-    def build(variant: str, resolution: int) -> Any:
-        return build_solver(scene, variant, resolution, wall, 1)
+    def build(variant: str, resolution: int, threads: int) -> Any:
+        return build_solver(scene, variant, resolution, wall, threads)
 
     def finish(solver: Any) -> dict[str, float]:
         end = scene.end.limit(wall)
@@ -54,6 +54,7 @@ def scene_problem(scene: Scene, wall: str) -> WorkProblem:
         VARIANTS,
         build,
         finish,
+        dict.fromkeys(QUANTITIES, "m"),
     )
 
 

@@ -17,8 +17,8 @@ class Measurement:
     """A variant at a resolution.
 
     values : answers by quantity [SI]. seconds : processor time of the steps, median of the repeats; spread : of these,
-    largest over smallest. compile_s : compilation, which is not part of it. memory_bytes : largest of the process.
-    message : why there are no values.
+    largest over smallest. wall_s : the same by the clock. compile_s : compilation, which is part of neither.
+    memory_bytes : largest of the process. message : why there are no values.
     """
 
     variant: str
@@ -32,6 +32,8 @@ class Measurement:
     points: int = 0
     memory_bytes: int = 0
     message: str = ""
+    threads: int = 1
+    wall_s: float = 0.0
 
     def as_json(self) -> dict[str, Any]:
         """Plain data."""
@@ -44,10 +46,11 @@ def measure_run(
     build: Callable[[], Any],
     finish: Callable[[Any], dict[str, float]],
     repeats: int,
+    threads: int = 1,
 ) -> Measurement:
     """Run so many times and measure; what the program refuses or cannot finish becomes the message.
 
-    build : makes the solver at time zero. finish : steps it to its end and returns its answers.
+    build : makes the solver at time zero, with so many threads. finish : steps it to its end and returns its answers.
     A solver of its own makes some steps first, so that nothing is compiled while time is taken.
     """
     try:
@@ -55,15 +58,16 @@ def measure_run(
             solver = build()
             for _ in range(WARM_STEPS):
                 solver.advance()
-        seconds, values = [], {}
+        seconds, walls, values = [], [], {}
         with measured() as cost:
             for _ in range(repeats):
                 solver = build()
-                began = time.process_time()
+                wall, began = time.perf_counter(), time.process_time()
                 values = finish(solver)
                 seconds.append(time.process_time() - began)
+                walls.append(time.perf_counter() - wall)
     except MatpointError as error:
-        return Measurement(variant, resolution, message=str(error))
+        return Measurement(variant, resolution, message=str(error), threads=threads)
     return Measurement(
         variant,
         resolution,
@@ -75,4 +79,6 @@ def measure_run(
         solver.point_updates,
         solver.points.n,
         cost.peak_memory_bytes,
+        threads=threads,
+        wall_s=median(walls),
     )

@@ -19,7 +19,8 @@ class WorkProblem:
     """A problem with named quantities.
 
     references : by quantity. resolutions : default ones by method word ('fem-explicit', 'mpm'), five or more.
-    build : makes the solver of a variant at a resolution. finish : steps it to its end, returns its answers.
+    build : makes the solver of a variant at a resolution with a number of threads. finish : steps it to its end,
+    returns its answers. units : of the quantities.
     """
 
     name: str
@@ -27,5 +28,6 @@ class WorkProblem:
     references: dict[str, Reference]
     resolutions: dict[str, tuple[int, ...]]
     variants: tuple[str, ...]
-    build: Callable[[str, int], Any]
+    build: Callable[[str, int, int], Any]
     finish: Callable[[Any], dict[str, float]]
+    units: dict[str, str]

@@ -1,5 +1,6 @@
 """The work-precision study: every variant at five or more resolutions, what each costs and gives."""
 
+import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,6 +11,7 @@ from studies.output_folder import OutputFolder
 from studies.report.study_page import Report, write_report
 from studies.run_record import to_json
 from studies.shipped_scenes import shipped_scenes
+from studies.study_folder import keep, kept, study_folder
 from studies.variants import read_variant
 from studies.versions import processor, versions
 from studies.work_precision import vibration, vortex
@@ -70,26 +72,28 @@ def compare_work(
     variants: tuple[str, ...] | None = None,
     resolutions: tuple[int, ...] | None = None,
     repeats: int = REPEATS,
+    threads: int | None = None,
+    going_on: bool = False,
     tell: Callable[[Measurement], None] = lambda run: None,
 ) -> Outcome:
     """Measure all and write results.json, tables as CSV, report.html and report.md.
 
-    Runs are made one after the other in this process, on one thread. tell : called with each.
+    Runs are made one after the other in this process, on one thread; the finest of each variant once more on `threads`
+    (default: all that there are). going_on : `out` is the folder of the same study, which was stopped; what it holds is
+    not measured again. tell : called with each.
     Raises SceneError for unknown variants and OutputError for a folder in use before anything is run.
     """
-    plan = planned(problem, variants, resolutions)
-    with OutputFolder(out) as folder:
+    plan = [(*job, 1) for job in planned(problem, variants, resolutions)]
+    threads = threads or len(os.sched_getaffinity(0))
+    if threads > 1:
+        finest = {variant: resolution for variant, resolution, _ in plan}
+        plan += [(variant, resolution, threads) for variant, resolution in finest.items()]
+    settings = {"study": "work-precision", "problem": problem.name, "repeats": repeats, "plan": plan}
+    with study_folder(out, settings, going_on) as folder:
         runs = []
-        for variant, resolution in plan:
-            run = measure_run(
-                variant,
-                resolution,
-                lambda variant=variant, resolution=resolution: problem.build(variant, resolution),
-                problem.finish,
-                repeats,
-            )
-            runs.append(run)
-            tell(run)
+        for job in plan:
+            runs.append(_measured(problem, job, repeats, folder))
+            tell(runs[-1])
         report = report_of(problem, runs, repeats)
         record = {
             "study": "work-precision",
@@ -102,3 +106,16 @@ def compare_work(
         folder.write_text("results.json", to_json(record))
         remark = write_report(report, folder)
     return Outcome(runs, report, remark)
+
+
+def _measured(
+    problem: WorkProblem, job: tuple[str, int, int], repeats: int, folder: OutputFolder
+) -> Measurement:
+    variant, resolution, threads = job
+    key = f"{variant}-{resolution}-threads-{threads}"
+    before = kept(folder, key)
+    if before is not None:
+        return Measurement(**before)
+    run = measure_run(variant, resolution, lambda: problem.build(*job), problem.finish, repeats, threads)
+    keep(folder, key, run.as_json())
+    return run

@@ -18,6 +18,7 @@ from studies.work_precision.analysis import (
 )
 from studies.work_precision.measurement import Measurement
 from studies.work_precision.problem import Reference, WorkProblem
+from studies.work_precision.verdict import verdict_section
 
 PERCENT = 100.0
 LEAD = (
@@ -34,10 +35,11 @@ def references_of(problem: WorkProblem, runs: list[Measurement]) -> dict[str, Re
     }
 
 
-def report_of(problem: WorkProblem, runs: list[Measurement], repeats: int) -> Report:
-    """The whole report."""
+def report_of(problem: WorkProblem, measured: list[Measurement], repeats: int) -> Report:
+    """The whole report; errors and times are those of runs on one thread."""
+    runs = [run for run in measured if run.threads == 1]
     references = references_of(problem, runs)
-    failures = [run for run in runs if not run.values]
+    failures = [run for run in measured if not run.values]
     facts = (f"{len(runs)} runs", f"median of {repeats}", f"{len(failures)} without an answer")
     sections = [
         Section(
@@ -47,6 +49,7 @@ def report_of(problem: WorkProblem, runs: list[Measurement], repeats: int) -> Re
         )
         for name, reference in references.items()
     ]
+    sections.append(verdict_section(problem, runs))
     sections += [
         Section(
             f"errors-{name}",
@@ -57,6 +60,7 @@ def report_of(problem: WorkProblem, runs: list[Measurement], repeats: int) -> Re
         for name, reference in references.items()
     ]
     sections += [
+        Section("threads", "All threads", (_threads_table(measured),)),
         Section("runs", "Every run", (_runs_table(runs, tuple(references)),)),
         Section("failures", "Refused or gone wrong", (_failures_table(failures),)),
     ]
@@ -158,6 +162,27 @@ def _runs_table(runs: list[Measurement], quantities: tuple[str, ...]) -> Table:
         *quantities,
     )
     return Table("Runs", head, tuple(rows))
+
+
+def _threads_table(measured: list[Measurement]) -> Table:
+    alone = {(run.variant, run.resolution): run for run in measured if run.threads == 1}
+    rows = []
+    for run in measured:
+        if run.threads > 1 and run.values:
+            one = alone[run.variant, run.resolution]
+            same = "yes" if run.values == one.values else "no"
+            rows.append(
+                (
+                    f"{run.variant} {run.resolution}",
+                    run.threads,
+                    one.wall_s,
+                    run.wall_s,
+                    one.wall_s / run.wall_s,
+                    same,
+                )
+            )
+    head = ("finest run", "threads", "one thread [s]", "all [s]", "times as fast", "bitwise the same")
+    return Table("Seconds by the clock", head, tuple(rows))
 
 
 def _failures_table(failures: list[Measurement]) -> Table:

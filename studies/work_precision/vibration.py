@@ -20,7 +20,7 @@ RESOLUTIONS = {"fem-explicit": (1, 2, 3, 4, 6), "mpm": (2, 3, 4, 6, 8)}
 VARIANTS = ("fem-explicit", "fem-explicit:tri6", "mpm", "mpm:flip", "mpm:total")
 
 
-def build(name: str, resolution: int) -> Any:
+def build(name: str, resolution: int, threads: int) -> Any:
     """The bar with so many cells across its height, at rest in the middle of its swing."""
     variant = read_variant(name)
     if variant.is_spatial:
@@ -31,6 +31,7 @@ def build(name: str, resolution: int) -> Any:
         neo_hookean(DENSITY, YOUNG / 3.0, YOUNG / 2.0),
         HEIGHT / resolution,
         geometry="plane-strain",
+        threads=threads,
         velocity=lambda places: np.column_stack(
             [SPEED * np.sin(0.5 * np.pi * places[:, 0] / LENGTH), np.zeros(len(places))]
         ),
@@ -58,4 +59,5 @@ PROBLEM = WorkProblem(
     VARIANTS,
     build,
     finish,
+    {"period": "s"},
 )

@@ -19,7 +19,7 @@ RESOLUTIONS = {"fem-explicit": (10, 16, 20, 24, 30), "mpm": (10, 16, 20, 24, 30)
 VARIANTS = ("fem-explicit", "fem-explicit:quad8", "mpm", "mpm:cubic", "mpm:total")
 
 
-def build(name: str, resolution: int) -> Any:
+def build(name: str, resolution: int, threads: int) -> Any:
     """The annulus with so many cells across its width."""
     variant = read_variant(name)
     if variant.is_spatial:
@@ -30,6 +30,7 @@ def build(name: str, resolution: int) -> Any:
         neo_hookean(VORTEX.density, VORTEX.bulk, VORTEX.shear),
         WIDTH / resolution,
         geometry="plane-strain",
+        threads=threads,
         velocity=lambda places: VORTEX.velocity(places, 0.0),
         displacement=lambda places: VORTEX.displacement(places, 0.0),
         loads=(BodyForce(VORTEX.body_force, at=REFERENCE),),
@@ -54,4 +55,5 @@ PROBLEM = WorkProblem(
     VARIANTS,
     build,
     finish,
+    {"displacement": "1"},
 )

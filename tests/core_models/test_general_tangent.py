@@ -1,5 +1,7 @@
 """The consistent tangent of the general return: the derivative of the step on planes, edges and at the apex."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -7,10 +9,13 @@ from core_models import points as points_module
 from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.neo_hookean import NeoHookean
+from core_models.errors import UnsupportedError
 from core_models.flow.linear import LinearHardening
 from core_models.kernels import advance_points
 from core_models.kinematic_hardening.chaboche import Chaboche
 from core_models.material import Material
+from core_models.objective_rate.jaumann import Jaumann
+from core_models.objective_rate.logarithmic import Logarithmic
 from core_models.points import MaterialPoints
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
@@ -101,8 +106,38 @@ def test_the_tangent_is_the_derivative_from_rest_along_the_axes(update, conditio
 
 
 @pytest.mark.parametrize("update", [HypoelasticPlastic, HyperelasticPlastic])
+@pytest.mark.parametrize("condition", [VonMises(), DruckerPrager.from_friction(30, 10)])
 @pytest.mark.parametrize("size", [0.002, 0.3])
-def test_the_tangent_follows_back_stresses(update, size):
+def test_the_tangent_follows_back_stresses(update, condition, size):
     """Their motion, recovery and rotation, in small steps and in those of 30 %."""
-    material = soil(update, VonMises(), Chaboche((1e8, 1e7), (50.0, 0.0)))
+    material = soil(update, condition, Chaboche((1e8, 1e7), (50.0, 0.0)))
     assert mismatch(material, size * BEFORE.T, before=0.02) <= 1e-6
+
+
+@pytest.mark.parametrize("place", ["cone", "apex", "edge of the cut-off"])
+@pytest.mark.parametrize("update", [HypoelasticPlastic, HyperelasticPlastic])
+def test_the_tangent_is_the_derivative_where_a_moving_cone_ends(update, place):
+    """At the apex and at the cut-off the shifted stress is the one that is left."""
+    condition, strains = CONES[place]
+    material = soil(update, condition, Chaboche((1e8, 1e7), (50.0, 0.0)))
+    assert mismatch(material, TURN @ np.diag(strains) @ TURN.T, before=0.02) <= 1e-6
+
+
+@pytest.mark.parametrize("rate", [Logarithmic(), Jaumann()])
+@pytest.mark.parametrize("condition", [VonMises(), DruckerPrager.from_friction(30, 10)])
+def test_back_stresses_turn_with_the_objective_rate(rate, condition):
+    """The tangent has the spin of the rate's frame, not that of R."""
+    hardening = Chaboche((1e8, 1e7), (50.0, 0.0))
+    material = replace(soil(HypoelasticPlastic, condition, hardening), objective_rate=rate)
+    assert mismatch(material, 0.1 * BEFORE.T, before=0.2) <= 1e-6
+
+
+def test_arrays_that_cannot_be_filled_are_refused():
+    """A copy of a view would be filled and lost: a message says which array to give."""
+    points = MaterialPoints(soil(HypoelasticPlastic, VonMises()), np.ones(2))
+    stresses, tangents = np.empty((2, 3, 3)), np.empty((2, 9, 9))
+    view = np.empty((2, 3, 6))[:, :, ::2]
+    for wrong, other in ((view, tangents), (stresses[:1], tangents), (stresses.astype(np.float32), tangents),
+                         (stresses, tangents[:, :, ::-1])):  # fmt: skip
+        with pytest.raises(UnsupportedError, match=r"give np.empty\(\(2, (3, 3|9, 9)\)\)"):
+            points.linearise(1e-3, wrong, other)

@@ -13,7 +13,7 @@ from fem import ImplicitSolver
 from fem.heat_flow import FLOW
 from meshes.block import block
 from meshes.necking_bar import necking_bar
-from studies.bar_necking import simo_steel
+from studies.necking.reader import read_necking_scene
 from studies.verification.closed_forms.conduction import cylinder, heated_slab, slab
 from studies.verification.orders import fitted_order
 
@@ -23,7 +23,7 @@ START, SURFACE, FOURIER = 400.0, 300.0, 0.2
 def hot_steel(conductivity):
     """The necking bar's steel, warmed by 0.9 of its plastic work; 3.6e6 W/(m K) are a diffusivity of 1 m^2/s."""
     return replace(
-        simo_steel(),
+        read_necking_scene("necking-simo").material,
         density=7800.0,
         specific_heat=ConstantSpecificHeat(3.6e6 / 7800.0),
         heating=TaylorQuinney(0.9),
@@ -141,4 +141,4 @@ def test_material_that_cannot_conduct_is_refused():
     """The message names what the card lacks."""
     mesh = block((0.0, 0.0), (1.0, 1.0), (1, 1))
     with pytest.raises(MaterialError, match="<thermal_conductivity> and <specific_heat>"):
-        ImplicitSolver(mesh, simo_steel(), increment=1.0, conduction=True)
+        ImplicitSolver(mesh, read_necking_scene("necking-simo").material, increment=1.0, conduction=True)

@@ -12,8 +12,9 @@ from fem import ImplicitSolver
 from fem.implicit.path import BoundaryMotion
 from meshes.block import block
 from meshes.necking_bar import necking_bar
-from studies.bar_necking import simo_steel
+from studies.necking.reader import read_necking_scene
 
+STEEL = read_necking_scene("necking-simo").material
 RADIUS, LENGTH = 6.413e-3, 26.667e-3
 AREA = math.pi * RADIUS**2
 PER_TIME = 1e9  # Pa/s
@@ -23,7 +24,7 @@ PULL = Traction("end", lambda X, t: np.tile([0.0, PER_TIME * t], (len(X), 1)))
 def bar(mesh, path, increment, **options):
     """The necking bar, pulled by a dead traction."""
     return ImplicitSolver(
-        mesh, simo_steel(), loads=(Symmetry("neck"), PULL), increment=increment, path=path, **options
+        mesh, STEEL, loads=(Symmetry("neck"), PULL), increment=increment, path=path, **options
     )
 
 
@@ -39,8 +40,8 @@ def followed(solver, end):
 
 def uniform_force(elongation):
     """Force [N] of the bar that stays a cylinder: A_0 sigma_y / stretch, Hencky strain = p + sigma_y / E."""
-    steel = simo_steel()
-    flow, shear, bulk = steel.flow, steel.elasticity.shear_modulus, steel.elasticity.bulk_modulus
+    flow, elasticity = STEEL.flow, STEEL.elasticity
+    shear, bulk = elasticity.shear_modulus, elasticity.bulk_modulus
     p = np.linspace(0.0, 0.5, 5001)
     stress = flow.saturation_stress + flow.linear_modulus * p
     stress -= (flow.saturation_stress - flow.yield_stress) * np.exp(-flow.saturation_rate * p)
@@ -66,7 +67,7 @@ def test_necking_bar_under_force_control_follows_displacement_control():
     solver = bar(mesh, BoundaryMotion("end", 1, 7e-3), 0.04)
     force, elongation = followed(solver, 0.9)
     loads = (Symmetry("neck"), Prescribed("end", 1, 7e-3))
-    held = ImplicitSolver(mesh, simo_steel(), loads=loads, increment=0.04)
+    held = ImplicitSolver(mesh, STEEL, loads=loads, increment=0.04)
     while held.time < 0.9:
         held.advance(0.9)
     assert elongation[-1] == pytest.approx(7e-3 * 0.9, rel=1e-7)
@@ -119,7 +120,7 @@ def test_senseless_paths_are_refused(path, loads, error, told):
     """What leads nowhere is refused before anything is solved."""
     mesh, loads = block([0.0, 0.0], [1.0, 1.0], [1, 1]), (Fixed("bottom"), *loads)
     with pytest.raises(error, match=told):
-        ImplicitSolver(mesh, simo_steel(), geometry="plane-strain", loads=loads, increment=1.0, path=path)
+        ImplicitSolver(mesh, STEEL, geometry="plane-strain", loads=loads, increment=1.0, path=path)
 
 
 @pytest.mark.parametrize(("speed", "weight"), [(0.0, 0.0), (math.nan, 0.0), (1.0, -1.0)])
@@ -132,6 +133,6 @@ def test_path_lengths_out_of_range_are_refused(speed, weight):
 def test_path_of_a_constant_load_is_refused():
     """A pressure that does not change leaves no path."""
     mesh, loads = block([0.0, 0.0], [1.0, 1.0], [1, 1]), (Fixed("bottom"), Pressure("top", 1e6))
-    solver = ImplicitSolver(mesh, simo_steel(), loads=loads, increment=1.0, path=PathLength(1.0))
+    solver = ImplicitSolver(mesh, STEEL, loads=loads, increment=1.0, path=PathLength(1.0))
     with pytest.raises(SceneError, match="no load changes with time"):
         solver.advance()

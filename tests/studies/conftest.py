@@ -21,7 +21,8 @@ class FakeSolver:
 
     initial_momentum = np.array([0.0, -2.0])
     mass, threads, time_step = 0.009, 1, 1e-6
-    mesh = SimpleNamespace(dimension=2)
+    mesh = SimpleNamespace(dimension=2, points=np.array([[0.0, 0.0], [RADIUS, LENGTH]]))
+    reference_positions = np.array([[0.5 * RADIUS, 0.25 * LENGTH], [0.5 * RADIUS, 0.75 * LENGTH]])
 
     def __init__(self, error: float = 0.0, wall: str = "unilateral", fails_at: float = np.inf) -> None:
         self.time, self.step_count, self.point_updates = 0.0, 0, 0
@@ -93,6 +94,10 @@ class FakeSolver:
         lower = np.array([[0.0, 0.0], [r, 0.0], [r, top / 2], [0.0, top / 2]])
         return np.array([lower, lower + [0.0, top / 2]])
 
+    def point_volumes(self) -> np.ndarray:
+        """Two halves, which keep their volume."""
+        return np.full(2, 0.5 * np.pi * RADIUS**2 * LENGTH)
+
     def _size(self) -> tuple[float, float]:
         stretch = 1.0 - 0.3 * self.progress * (1.0 + self._error)
         return RADIUS / np.sqrt(stretch), LENGTH * stretch
@@ -101,6 +106,7 @@ class FakeSolver:
         strain = np.array([0.4, 0.1]) * self.progress * (1.0 + self._error)
         stress = np.tile([-1e8, 0.0, 0.0, 0.0, 0.0, 0.0], (2, 1))
         return {
+            "deformation_gradient": Field("deformation_gradient", "1", (3, 3), np.tile(np.eye(3), (2, 1, 1))),
             "equivalent_plastic_strain": Field("equivalent_plastic_strain", "1", (), strain),
             "stress": Field("stress", "Pa", (6,), stress),
         }
@@ -108,13 +114,17 @@ class FakeSolver:
 
 @pytest.fixture
 def fake_solvers(monkeypatch):
-    """All methods run the pretended solver: FEM from one side, MPM from the other; resolution 13 goes wrong."""
+    """All methods run the pretended solver: FEM from one side, MPM from the other; resolution 13 goes wrong.
+
+    Pictures over time, which take seconds, are left out.
+    """
 
     def build(scene, method, resolution, wall, threads):
         fails_at = 30e-6 if resolution == 13 else np.inf
         return FakeSolver((1.0 if method == "mpm" else -0.5) / resolution, wall, fails_at)
 
     monkeypatch.setattr("studies.running.build_solver", build)
+    monkeypatch.setattr("studies.report.over_time.rendered", lambda job: None)
 
 
 @pytest.fixture

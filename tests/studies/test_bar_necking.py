@@ -1,46 +1,55 @@
-"""The bar necking study: closed forms, quantities of made curves, quasi-static refusals, and a coarse run."""
+"""The bar necking study: closed forms, quantities of made curves, quasi-static refusals, scenes, and coarse runs."""
 
+import json
 import math
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from lxml import etree
 
-from core_models.errors import RunFailure
+from core_models.errors import OutputError, RunFailure, SceneError
 from core_models.ledger import EnergyLedger
 from core_models.loads import Prescribed, Symmetry
 from meshes.block import block
 from studies.bar_necking import (
-    HYPOELASTIC,
-    NECKING_SIMO,
     NeckingHistory,
     at_elongation,
     bridgman_factor,
+    first_failure,
+    fracture_elongation,
     neck_curvature,
     peak,
-    simo_steel,
     uniform_peak,
 )
-from studies.necking_methods import NeckingMesh, implicit_run
+from studies.material_finder import with_update
+from studies.necking.curves import read_curve
+from studies.necking.reader import CHECKS, necking_scenes, read_necking_scene
+from studies.necking.scene import PlannedRun
+from studies.necking.study import planned, study_necking
+from studies.necking.verdicts import criteria_of
+from studies.necking_methods import NeckingRun, make_run
 from studies.quasi_static import KineticWatch, slow_enough
-from studies.verification.problems.necking_simo import PEERS, _quantity_table, measured, read_peers
-from studies.verification.study import find_problem
 
 LENGTH = 0.1
+SIMO = read_necking_scene("necking-simo")
 
 
-def history(elongation, force):
+def history(elongation, force, **columns):
     """A history with these columns, the others 0."""
-    made = object.__new__(NeckingHistory)
-    rest = (0.0,) * (len(NeckingHistory.COLUMNS) - 2)
-    made.rows = [(u, f, *rest) for u, f in zip(elongation, force, strict=True)]
-    return made
+    columns |= {"elongation": elongation, "force": force}
+    rows = np.zeros((len(elongation), len(NeckingHistory.COLUMNS)))
+    for name, values in columns.items():
+        rows[:, NeckingHistory.COLUMNS.index(name)] = values
+    return NeckingHistory(rows.tolist())
 
 
 def test_closed_forms_of_the_largest_uniform_force():
     """79.46 kN where the flow stress is the Kirchhoff stress, 79.58 kN where it is the Cauchy stress."""
-    assert uniform_peak(NECKING_SIMO.material, NECKING_SIMO.radius) == pytest.approx(79.46e3, rel=1e-4)
-    assert uniform_peak(simo_steel(HYPOELASTIC), NECKING_SIMO.radius) == pytest.approx(79.58e3, rel=1e-4)
+    assert uniform_peak(SIMO.material, SIMO.radius) == pytest.approx(79.46e3, rel=1e-4)
+    assert uniform_peak(with_update(SIMO.material, "hypoelastic"), SIMO.radius) == pytest.approx(
+        79.58e3, rel=1e-4
+    )
 
 
 def test_peak_of_a_parabola_is_exact_between_its_points():
@@ -73,7 +82,7 @@ def test_mass_is_scaled_to_the_lowest_natural_mode():
     """A bar held at both ends has the period 2 L / c: loading then takes the periods asked for."""
     mesh = block([0.0, 0.0], [LENGTH / 20.0, LENGTH], [1, 20])
     loads = (Symmetry("bottom"), Prescribed("top", 1, 0.0))
-    material = simo_steel()
+    material = SIMO.material
     scaled = slow_enough(mesh, material, loads, 1.0, 50.0)
     bulk, shear = material.elasticity.bulk_modulus, material.elasticity.shear_modulus
     young = 9.0 * bulk * shear / (3.0 * bulk + shear)
@@ -93,31 +102,113 @@ def test_a_run_that_moves_is_not_called_quasi_static():
         watch.check()
 
 
+def test_fracture_and_first_failure_are_read_from_the_curve():
+    """Broken where a tenth of the largest force is left; failed where the first point has; nothing made up without."""
+    made = history(
+        [0.0, 1.0, 2.0, 3.0],
+        [0.0, 10.0, 6.0, 0.0],
+        failed=[0.0, 0.0, 0.1, 0.2],
+        failed_place=[0.0, 0.0, 0.25, 0.25],
+    )
+    assert fracture_elongation(made) == pytest.approx(2.0 + 5.0 / 6.0)
+    assert first_failure(made) == (2.0, 0.25)
+    whole = history([0.0, 1.0], [0.0, 2.0])
+    assert fracture_elongation(whole) is None and first_failure(whole) == (None, None)
+
+
 def test_coarse_bar_necks_near_the_other_codes():
-    """4 x 12 elements in 50 increments: peak 77.3 kN within 0.3 %, no cut; Bridgman within 5 % at 4 mm."""
-    run = implicit_run(NECKING_SIMO, NeckingMesh(4, 12, 0.25), 50)
-    found = measured(run)
-    assert found["peak force"] == pytest.approx(77.3, rel=3e-3)
-    assert found["elongation at peak"] == pytest.approx(2.83, abs=0.05)
-    assert found["force at 4 mm"] == pytest.approx(71.2, rel=0.015)
+    """4 x 12 elements in 50 increments: peak 77.3 kN within 0.3 %, no cut; Bridgman within 5 and 10 %."""
+    run = make_run(SIMO, PlannedRun("coarse", "fem-implicit", 4, 12, 0.25, increments=50))
+    at, force = peak(run.history)
+    assert force == pytest.approx(77.3e3, rel=3e-3) and at == pytest.approx(2.83e-3, abs=0.05e-3)
+    assert at_elongation(run.history, "force", 4e-3) == pytest.approx(71.2e3, rel=0.015)
     assert run.cuts == 0 and run.kinetic_share == 0.0
-    estimate, true = (at_elongation(run.history, name, 4e-3) for name in ("bridgman", "flow_stress"))
-    assert estimate == pytest.approx(true, rel=0.05)
+    for estimate, true, off in (
+        ("bridgman_flow", "flow_stress", 0.05),
+        ("bridgman_axial", "axial_stress", 0.1),
+    ):
+        values = [at_elongation(run.history, name, 4e-3) for name in (estimate, true)]
+        assert values[0] == pytest.approx(values[1], rel=off)
     centre, surface = (at_elongation(run.history, f"{at}_triaxiality", 4e-3) for at in ("centre", "surface"))
     assert centre > 0.45 > surface > 0.2
-    head, first = _quantity_table([run]).head, _quantity_table([run]).rows[0]
-    assert len(first) == len(head) and first[1] == found["peak force"]
 
 
 def test_curves_of_other_codes_are_whole():
     """Both curves go to 7 mm in SI units, with their largest force near 77.3 kN."""
-    table = read_peers(PEERS)
-    assert table["elongation"][-1] == 7e-3
-    for name in ("calculix", "fedoo"):
-        assert table[f"{name}_force"].max() == pytest.approx(77.3e3, rel=2e-3)
-        assert (np.diff(table[f"{name}_neck_radius"]) < 0.0).all()
+    for curve in SIMO.curves:
+        u, force = read_curve(curve, "force")
+        assert u[-1] == 7e-3 and force.max() == pytest.approx(77.3e3, rel=2e-3)
+        assert (np.diff(read_curve(curve, "neck_radius")[1]) < 0.0).all()
 
 
-def test_the_necking_study_has_its_problem():
-    """`matpoint study necking` finds it by name."""
-    assert find_problem("necking-simo").name == "necking-simo"
+@pytest.mark.parametrize("name", necking_scenes())
+def test_shipped_scenes_are_whole(name):
+    """Each has runs, checks of runs that it has, and its quick runs."""
+    scene = read_necking_scene(name)
+    assert scene.name == name and scene.title and scene.description and scene.source and scene.checks
+    assert planned(scene, None, quick=True) and len(planned(scene, None, quick=False)) == len(scene.runs)
+    for curve in scene.curves:
+        assert all(len(read_curve(curve, column)[0]) > 5 for column in curve.columns)
+
+
+def test_what_a_scene_does_not_have_is_named():
+    """Unknown scenes, methods and quantities get the nearest name."""
+    with pytest.raises(SceneError, match="'necking-simo'"):
+        read_necking_scene("necking-sim")
+    with pytest.raises(SceneError, match="fem-implicit"):
+        planned(SIMO, ["fem-implict"], quick=False)
+    with pytest.raises(SceneError, match="quick run by mpm-tl; there are runs by fem-implicit"):
+        planned(SIMO, ["mpm-tl"], quick=True)
+
+
+def test_checks_are_of_runs_that_were_made():
+    """A run that is twice another breaks their agreement; checks of runs that are missing say nothing."""
+    u = np.linspace(0.0, 7e-3, 30)
+    force, radius = 77.3e3 - 3e9 * (u - 2.83e-3) ** 2, np.linspace(6.3e-3, 2e-3, 30)
+    made = [
+        NeckingRun(history(u, factor * force, neck_radius=radius), np.zeros((1, 4, 2)), np.zeros(1), 1.0, 30)
+        for factor in (1.0, 2.0)
+    ]
+    runs = dict(zip(("fem-implicit", "fem-explicit"), made, strict=True))
+    found = {each.what: each for each in criteria_of(SIMO, runs)}
+    agreements = [each for what, each in found.items() if "against fem-implicit" in what]
+    assert [each.met for each in agreements] == [False, True, True]
+    assert agreements[0].value == pytest.approx(100.0)
+    assert not any("mpm" in what for what in found)
+
+
+def small(name):
+    """The shipped bar with one coarse run and one check that it does not meet."""
+    root = etree.parse(necking_scenes()["necking-simo"]).getroot()
+    for tag in ("run", "curve", *CHECKS):
+        for element in root.findall(tag):
+            root.remove(element)
+    root.set("name", name)
+    run = {
+        "name": "one",
+        "method": "fem-implicit",
+        "across": "2",
+        "along": "4",
+        "increments": "3",
+        "quick": "yes",
+    }
+    etree.SubElement(root, "run", run)
+    etree.SubElement(root, "expect", run="one", quantity="peak_force", low="1", high="2")
+    return etree.tostring(root, encoding="unicode")
+
+
+def test_a_study_is_kept_and_gone_on_with(tmp_path):
+    """Runs that a folder holds are not made again; another scene's folder is refused; the report is whole."""
+    scene, out = tmp_path / "small.xml", tmp_path / "out"
+    scene.write_text(small("small"), encoding="utf-8")
+    told = []
+    outcome = study_necking(scene, out, workers=1, tell=lambda *each: told.append(each))
+    assert len(told) == 1 and not outcome.criteria[0].met
+    kept = json.loads((out / "runs" / "one.json").read_text())
+    assert len(kept["rows"]) >= 3 and len(kept["strains"]) == 32
+    study_necking(scene, out, going_on=True, workers=1, tell=lambda *each: told.append(each))
+    assert len(told) == 1
+    assert "peak force, one, 2 × 4" in (out / "report.html").read_text(encoding="utf-8")
+    scene.write_text(small("other"), encoding="utf-8")
+    with pytest.raises(OutputError, match="no study of other"):
+        study_necking(scene, out, going_on=True)

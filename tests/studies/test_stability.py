@@ -1,8 +1,10 @@
 """The stability matrix: verdicts of made-up solvers and processes, and a fast part of it."""
 
+import itertools
 import json
 import math
-import sys
+import os
+import time
 from types import SimpleNamespace
 
 import numpy as np
@@ -18,6 +20,7 @@ from studies.stability.cases import all_cases, find_case
 from studies.stability.cell import FAILED, REFUSED, RESCUED, STABLE, run_cell
 from studies.stability.isolated import judged
 from studies.stability.study import VARIANTS, survey_stability
+from studies.stability.true_limit import true_limit
 
 
 class Pretended:
@@ -92,18 +95,24 @@ def test_a_cell_is_judged_by_what_happened(act, verdict, why):
         assert (cell.steps, cell.drift, cell.smallest_ratio, cell.smallest_step) == (10, 1e-3, 0.7, 1.0)
 
 
+def wrong():
+    """Work that ends with an untyped error."""
+    raise ValueError("no")
+
+
 @pytest.mark.parametrize(
-    ("code", "why"),
+    ("work", "why"),
     [
-        ("import time; time.sleep(60)", "not at its end after 0.5 s"),
-        ("import os; os.abort()", "crashed with signal 6"),
-        ("raise ValueError('no')", "ended with status 1: ValueError: no"),
-        ("import numpy; numpy.ones(2**33)", "MemoryError"),
+        (lambda: time.sleep(60), "not at its end after 0.05 s"),
+        (os.abort, "crashed with signal 6"),
+        (wrong, "ended with status 1"),
+        (lambda: np.ones(2**33).sum(), "ended with status 1"),
+        (lambda: next(k for k in itertools.count() if k < 0), "not at its end after 1 s"),
     ],
 )
-def test_what_hangs_or_crashes_has_failed(code, why):
-    """A process that takes too long, dies, says nothing of use, or wants too much memory costs its own cell."""
-    cell = judged("made", "mpm", [sys.executable, "-c", code], 0.5 if "sleep" in code else 20.0)
+def test_what_hangs_or_crashes_has_failed(work, why, capfd):
+    """A process that sleeps, loops, dies, or wants too much memory costs its own cell."""
+    cell = judged("made", "mpm", work, 0.05 if "0.05" in why else 1.0)
     assert cell["verdict"] == FAILED and why in cell["why"]
     json.dumps(cell, allow_nan=False)
 
@@ -132,6 +141,29 @@ def test_a_fast_part_of_the_matrix(case, variant, verdict):
     assert cell.verdict == verdict, cell.why
 
 
+def test_the_true_limit_of_the_step_is_found():
+    """An oscillator of the central difference method blows up beyond omega dt = 2, here 1.6 of the estimate."""
+
+    class Oscillator:
+        def __init__(self, variant, safety):
+            self.x, self.v, self.time_step, self.points = 1.0, 0.0, 0.0, None
+
+        def advance(self):
+            dt = 2.0 / 1.6 * self.time_step
+            self.v -= dt * self.x
+            self.x += dt * self.v
+            self.time_step = 1.0
+
+        @property
+        def ledger(self):
+            return SimpleNamespace(relative_error=0.0 if abs(self.x) < 1e3 else 1.0)
+
+        def point_positions(self):
+            return np.array([self.x])
+
+    assert true_limit("fem-explicit", Oscillator) == pytest.approx(1.6, rel=0.02)
+
+
 def test_the_study_leaves_the_matrix_with_reasons(tmp_path, capsys):
     """Cells in the order of cases and variants; refusals keep their message; unknown names are one line."""
 
@@ -146,6 +178,10 @@ def test_the_study_leaves_the_matrix_with_reasons(tmp_path, capsys):
         tmp_path / "out", quick=True, cases=("soft", "spall"), variants=("fem-explicit", "mpm"), run=made
     )
     assert len(outcome.cells) == 4 and outcome.failed == 0
+    again = survey_stability(
+        tmp_path / "out", quick=True, cases=("soft", "spall"), variants=("fem-explicit", "mpm"), going_on=True
+    )
+    assert again.cells == outcome.cells
     assert "soft,stable,refused" in (tmp_path / "out/matrix.csv").read_text()
     assert "too soft" in (tmp_path / "out/reasons.csv").read_text()
     assert main(["study", "stability", "--cases", "spal", "--out", str(tmp_path / "b")]) == 2

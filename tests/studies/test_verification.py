@@ -11,6 +11,7 @@ import pytest
 from core_models.errors import SceneError, UnsupportedError
 from core_models.threads import Threads
 from studies.command_line import main
+from studies.report.document import page as html_page
 from studies.verification import study
 from studies.verification.convergence import ErrorRow
 from studies.verification.convergence_report import convergence_outcome
@@ -18,7 +19,7 @@ from studies.verification.orders import error_at, fitted_order, sizes_before_flo
 from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
 from studies.verification.problem import Problem
 from studies.verification.problems.friction_block import CASES, END, FRICTION, RAMP, G, exact_way
-from studies.verification.report import report_page
+from studies.verification.report import report_of
 from studies.verification.study import PROBLEMS, find_problem, verify
 from studies.verification.text import criterion_text, shown
 from studies.verification.thread_clock import ThreadClock
@@ -136,7 +137,7 @@ def test_report_shows_failures_as_failures():
     """The page has every verdict, the table and the figure, escapes words, and needs no other file."""
     pytest.importorskip("matplotlib")
     problem = made(Criterion("good", 1.0, 0.0, 2.0), Criterion("bad", 3.0, 0.0, 2.0))
-    page = report_page([(problem, problem.run(True))], quick=True)
+    page = html_page(report_of([(problem, problem.run(True))], quick=True))
     assert "1 of 2 criteria met" in page and "1 not met" in page
     assert 'class="apart">bad: 3 (wanted 0 to 2)' in page and 'class="agree">good' in page
     assert "For &lt;tests&gt;." in page and "1,234" in page and "<svg" in page and "So." in page

@@ -3,10 +3,11 @@
 import csv
 import json
 import math
+from dataclasses import replace
 
 import pytest
 
-from core_models.errors import RunFailure, SceneError
+from core_models.errors import OutputError, RunFailure, SceneError
 from studies.command_line import main
 from studies.work_precision.analysis import (
     EXTRAPOLATED,
@@ -33,7 +34,12 @@ def sequence(name="fem-explicit", order=2.0, error=0.16, seconds=1e-3, cost=3.0)
     """Runs with an error of `error` at 4 that falls with an order, and seconds that grow with another."""
     return [
         Measurement(
-            name, n, {"u": 2.0 * (1.0 + error * (4.0 / n) ** order)}, seconds * (n / 4.0) ** cost, points=n
+            name,
+            n,
+            {"u": 2.0 * (1.0 + error * (4.0 / n) ** order)},
+            seconds * (n / 4.0) ** cost,
+            points=n,
+            point_updates=n,
         )
         for n in RESOLUTIONS
     ]
@@ -118,16 +124,52 @@ def test_a_small_study_leaves_tables_and_reports(tmp_path):
     """A bar of two periods by finite elements: errors fall with second order, CSV, Markdown and HTML say the same."""
     problem = find_problem("vibrating-bar")
     outcome = compare_work(
-        problem, tmp_path / "out", variants=("fem-explicit",), resolutions=(1, 2, 3, 4, 5), repeats=1
+        problem,
+        tmp_path / "out",
+        variants=("fem-explicit",),
+        resolutions=(1, 2, 3, 4, 5),
+        repeats=1,
+        threads=2,
     )
     assert all(run.values and run.seconds > 0.0 and run.memory_bytes > 1e6 for run in outcome.runs)
     rows = list(csv.reader((tmp_path / "out/errors-period.csv").open()))
     errors = [float(row[2]) for row in rows[1:]]
     assert errors == sorted(errors, reverse=True) and errors[-1] < 0.5
     record = json.loads((tmp_path / "out/results.json").read_text())
-    assert [run["resolution"] for run in record["runs"]] == [1, 2, 3, 4, 5]
+    assert [run["resolution"] for run in record["runs"]] == [1, 2, 3, 4, 5, 5]
+    assert record["runs"][5]["threads"] == 2 and ",yes" in (tmp_path / "out/threads.csv").read_text()
     for name in ("report.html", "report.md"):
         assert "Time to reach an error of the period" in (tmp_path / "out" / name).read_text()
+
+
+def test_a_study_that_was_stopped_measures_only_what_is_missing(tmp_path, monkeypatch):
+    """What is kept comes out as it was; a study with other settings is refused."""
+    made = {(run.variant, run.resolution): run for name in ("fem-explicit", "mpm") for run in sequence(name)}
+    asked = []
+
+    def measure(variant, resolution, build, finish, repeats, threads):
+        asked.append((variant, resolution))
+        if len(asked) == 7:
+            raise KeyboardInterrupt
+        return made[variant, resolution]
+
+    monkeypatch.setattr("studies.work_precision.study.measure_run", measure)
+    problem = replace(
+        find_problem("vibrating-bar"),
+        references={"u": EXACT},
+        units={"u": "s"},
+        variants=("fem-explicit", "mpm"),
+        resolutions=dict.fromkeys(("fem-explicit", "mpm"), RESOLUTIONS),
+    )
+    with pytest.raises(KeyboardInterrupt):
+        compare_work(problem, tmp_path / "out", repeats=1, threads=1)
+    outcome = compare_work(problem, tmp_path / "out", repeats=1, threads=1, going_on=True)
+    assert len(asked) == 11 and asked[6] == asked[7] == ("mpm", 8)
+    assert outcome.runs == list(made.values())
+    verdict = next(section for section in outcome.report.sections if section.name == "verdict")
+    assert "agree within their uncertainty" in verdict.remarks[0]
+    with pytest.raises(OutputError, match="repeats = 1, not 2"):
+        compare_work(problem, tmp_path / "out", repeats=2, threads=1, going_on=True)
 
 
 @pytest.mark.parametrize(

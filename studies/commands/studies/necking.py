@@ -1,24 +1,66 @@
-"""Pull a bar until it necks, by implicit and explicit finite elements and the material point method.
+"""Pull a bar or strip until it necks, by implicit and explicit finite elements and the material point method.
 
 examples:
   matpoint study necking
+  matpoint study necking necking-weldox-damage --methods fem-implicit,mpm-tl
   matpoint study necking --quick --out results/necking
+  matpoint study necking --resume results/necking
 
-It writes results.json and report.html, with the curves of two other codes. The full study takes about 5 minutes on one
-core, --quick, implicit elements only, a quarter of a minute.
+SCENE is necking-simo (if left out), necking-jc-42crmo4, necking-weldox-damage, necking-gtn, necking-plane-strain, or an
+XML file. It writes results.json, runs/*.json and report.html with all curves over each other. Runs go to one process a
+processor; one that goes wrong stops nothing, and one that was made is not made again with --resume.
 Exit status: 0 when every criterion is met; 1 when some is not; 2 bad input.
 """
 
 import argparse
+import sys
+from pathlib import Path
 
-from studies.commands.studies.verification import add_problem_options, run_problems
+from studies.default_folder import default_folder
+from studies.options import names, positive
+
+UNMET = 1
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Options of `matpoint study necking`."""
-    add_problem_options(parser)
+    parser.add_argument("scene", metavar="SCENE", nargs="?", default="necking-simo", help="its name or file")
+    parser.add_argument(
+        "--methods", metavar="A[,B...]", type=names, help="methods or single runs (default: all of the scene)"
+    )
+    parser.add_argument("--quick", action="store_true", help="the scene's quick runs only")
+    parser.add_argument("--workers", metavar="N", type=positive, help="processes (default: one a processor)")
+    folder = parser.add_mutually_exclusive_group()
+    folder.add_argument("--out", metavar="DIR", help="new or empty folder (default: results/SCENE-DATE-TIME)")
+    folder.add_argument("--resume", metavar="DIR", help="go on with the study in this folder")
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the problems one after the other, print their verdicts and where the report is."""
-    return run_problems(options, "necking")
+    """Make the runs that are not made yet, print the verdicts and where the report is."""
+    from studies.necking.study import study_necking
+    from studies.verification.text import criterion_text
+
+    out = Path(options.resume or options.out or default_folder(Path(options.scene).stem))
+    outcome = study_necking(
+        options.scene,
+        out,
+        methods=options.methods,
+        quick=options.quick,
+        going_on=options.resume is not None,
+        workers=options.workers,
+        tell=_tell,
+    )
+    met = sum(criterion.met for criterion in outcome.criteria)
+    print(
+        f"{options.scene}: {met} of {len(outcome.criteria)} criteria met, {outcome.seconds:.0f} s of processor time"
+    )
+    for criterion in outcome.criteria:
+        print(f"  {'met' if criterion.met else 'not met'}: {criterion_text(criterion)}")
+    page = out / "report.html"
+    print(page if page.exists() else out / "results.json")
+    return 0 if all(criterion.met for criterion in outcome.criteria) else UNMET
+
+
+def _tell(result: dict, done: int, all_: int) -> None:
+    said = f"{result['seconds']:.1f} s" if "seconds" in result else result["message"][:120]
+    print(f"{done} of {all_}: {result['key']}: {said}", file=sys.stderr, flush=True)

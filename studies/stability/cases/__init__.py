@@ -6,7 +6,7 @@ from core_models.errors import SceneError
 from core_models.names import suggestion
 from studies.stability.case import Case
 
-MODULES = ("impact", "volume", "elastic", "discretisation", "contact")
+MODULES = ("impact", "volume", "elastic", "discretisation", "contact", "implicit")
 
 
 def all_cases() -> dict[str, Case]:

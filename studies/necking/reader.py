@@ -1,0 +1,219 @@
+"""Necking scenes read from XML.
+
+<necking name="..." title="...">
+  <description>...</description>  <source>...</source>
+  <material card="steel_weldox_460e_johnson_cook"/>    a shipped card, or a whole card of core_models.cards
+  <round_bar radius="" length="" taper="" end="free|held"/>  or <strip ...>, radius: half the width
+  <pull distance="" duration=""/>                      of each end
+  <run name="" method="" across="" along="" .../>      any number; other attributes: see `PlannedRun`, and options of
+                                                       the solver: integration, cure, tolerance, interpolation, ...
+  <curve label="" href="" force="column" .../>         a CSV file beside the scene with a column `elongation`
+  <expect run="" quantity="" at="" low="" high="" source=""/>
+  <agree run="" with="" quantity="" at="" within=""/>
+  <near run="" curve="" quantity="" within="" up_to=""/>
+  <same_limit runs="a b c" others="d e f" quantity="" at=""/>
+  <newton run="" least=""/>  <uniform_peak run="" within=""/>
+</necking>
+"""
+
+from dataclasses import fields, replace
+from pathlib import Path
+from typing import Any
+
+from lxml import etree
+
+from core_models.cards import (
+    check_attributes,
+    load_document,
+    named_children,
+    parse_material,
+    read_material,
+    refusal,
+    shipped_materials,
+)
+from core_models.errors import SceneError
+from core_models.material import Material
+from core_models.names import suggestion
+from studies.bar_necking import QUANTITIES, NeckingHistory
+from studies.necking.scene import (
+    COUNTS,
+    ROUND_BAR,
+    STRIP,
+    Agreement,
+    Check,
+    Expected,
+    Limits,
+    Nearness,
+    NeckingCurve,
+    NeckingScene,
+    NewtonOrder,
+    PlannedRun,
+    UniformPeak,
+)
+from studies.necking_methods import METHODS
+from studies.scene_attributes import (
+    choice,
+    local_file,
+    number_attribute,
+    required_number,
+    required_text,
+)
+from studies.shipped_scenes import SCENES_FOLDER
+
+FOLDER = SCENES_FOLDER / "necking"
+BODIES = {"round_bar": ROUND_BAR, "strip": STRIP}
+CHECKS = ("expect", "agree", "near", "same_limit", "newton", "uniform_peak")
+REPEATABLE = ("run", "curve", *CHECKS)
+TAGS = ("description", "source", "material", *BODIES, "pull", *REPEATABLE)
+WORDS = ("integration", "cure", "interpolation", "transfer", "seeding")
+NUMBERS = ("tolerance", "hourglass", "ghost", "cfl")
+
+
+def necking_scenes() -> dict[str, Path]:
+    """Name and file of every shipped necking scene."""
+    return {path.stem: path for path in sorted(FOLDER.glob("*.xml"))}
+
+
+def read_necking_scene(name: str | Path) -> NeckingScene:
+    """The necking scene of a shipped name or a file; CardError or SceneError naming file, line and remedy."""
+    root = load_document(_find(name), ())
+    if root.tag != "necking":
+        raise refusal(root, f"the root is <{root.tag}>", 'write <necking name="...">', SceneError)
+    check_attributes(root, ("name", "title"))
+    children = named_children(root, {tag: tag for tag in TAGS}, REPEATABLE)
+    bodies = [tag for tag in BODIES if tag in children]
+    if len(bodies) != 1 or "material" not in children or "pull" not in children:
+        wanted = "give one <material>, one <pull>, and one of " + ", ".join(f"<{tag}>" for tag in BODIES)
+        raise refusal(root, "the scene is not whole", wanted, SceneError)
+    body, pull = children[bodies[0]], children["pull"]
+    check_attributes(body, ("radius", "length", "taper", "end"))
+    check_attributes(pull, ("distance", "duration"))
+    folder = Path(name).parent if Path(name).suffix == ".xml" else FOLDER
+    scene = NeckingScene(
+        name=required_text(root, "name"),
+        material=_material(children["material"]),
+        radius=required_number(body, "radius"),
+        length=required_number(body, "length"),
+        taper=number_attribute(body, "taper", 1.0),
+        pull=required_number(pull, "distance"),
+        duration=number_attribute(pull, "duration", 1.0),
+        body=BODIES[bodies[0]],
+        held=body.get("end") is not None and choice(body, "end", ("free", "held")) == "held",
+        title=root.get("title", required_text(root, "name")),
+        description=_words(root, "description"),
+        source=_words(root, "source"),
+        runs=tuple(_run(element) for element in root.findall("run")),
+        curves=tuple(_curve(element, folder) for element in root.findall("curve")),
+    )
+    _refuse_twins(root, scene.runs)
+    return replace(scene, checks=tuple(_check(element, scene) for element in root if element.tag in CHECKS))
+
+
+def _refuse_twins(root: etree._Element, runs: tuple[PlannedRun, ...]) -> None:
+    names = [run.name for run in runs]
+    for name in names:
+        if names.count(name) > 1:
+            raise refusal(root, f"two runs are called {name!r}", "give each a name of its own", SceneError)
+
+
+def _find(name: str | Path) -> Path:
+    shipped = necking_scenes()
+    if str(name) in shipped:
+        return shipped[str(name)]
+    if Path(name).suffix == ".xml":
+        return Path(name)
+    raise SceneError(
+        f"no necking scene '{name}'; {suggestion(str(name), shipped)} (or give the path of an XML file)"
+    )
+
+
+def _words(root: etree._Element, tag: str) -> str:
+    return " ".join((root.findtext(tag) or "").split())
+
+
+def _material(element: etree._Element) -> Material:
+    if element.get("card") is None:
+        return parse_material(element).material
+    check_attributes(element, ("card",))
+    cards = shipped_materials()
+    return read_material(cards[choice(element, "card", tuple(cards))]).material
+
+
+def _run(element: etree._Element) -> PlannedRun:
+    plain = {each.name: each.type for each in fields(PlannedRun) if each.name != "options"}
+    check_attributes(element, (*plain, *WORDS, *NUMBERS))
+    choice(element, "method", tuple(METHODS))
+    given: dict[str, Any] = {}
+    for name, kind in plain.items():
+        if element.get(name) is None:
+            continue
+        if kind is bool:
+            given[name] = choice(element, name, ("yes", "no")) == "yes"
+        elif kind is int:
+            given[name] = _whole(element, name)
+        elif kind in (str, str | None):
+            given[name] = required_text(element, name)
+        else:
+            given[name] = required_number(element, name)
+    options: dict[str, str | float] = {name: element.get(name) for name in WORDS if element.get(name)}
+    options |= {name: required_number(element, name) for name in NUMBERS if element.get(name)}
+    for name in ("name", "across", "along"):
+        required_text(element, name)
+    return PlannedRun(**given, options=options)
+
+
+def _whole(element: etree._Element, name: str) -> int:
+    value = required_number(element, name)
+    if value < 1.0 or value != int(value):
+        raise refusal(element, f'{name}="{value:g}"', "write a whole number from 1", SceneError)
+    return int(value)
+
+
+def _curve(element: etree._Element, folder: Path) -> NeckingCurve:
+    check_attributes(element, ("label", "href", *NeckingHistory.COLUMNS))
+    columns = {name: element.get(name) for name in NeckingHistory.COLUMNS if element.get(name)}
+    return NeckingCurve(required_text(element, "label"), local_file(element, folder), columns)
+
+
+def _check(element: etree._Element, scene: NeckingScene) -> Check:
+    runs = tuple(run.name for run in scene.runs)
+    if element.tag == "same_limit":
+        check_attributes(element, ("runs", "others", "quantity", "at"))
+        families = [_family(element, name, runs) for name in ("runs", "others")]
+        return Limits(*families, *_quantity(element))
+    run = choice(element, "run", runs)
+    if element.tag == "expect":
+        check_attributes(element, ("run", "quantity", "at", "low", "high", "source"))
+        name, at = _quantity(element)
+        low, high = required_number(element, "low"), required_number(element, "high")
+        return Expected(run, name, low, high, at, element.get("source", ""))
+    if element.tag == "agree":
+        check_attributes(element, ("run", "with", "quantity", "at", "within"))
+        name, at = _quantity(element)
+        return Agreement(run, choice(element, "with", runs), name, required_number(element, "within"), at)
+    if element.tag == "near":
+        check_attributes(element, ("run", "curve", "quantity", "within", "up_to"))
+        curve = choice(element, "curve", tuple(curve.label for curve in scene.curves))
+        column = choice(element, "quantity", NeckingHistory.COLUMNS)
+        return Nearness(
+            run, curve, column, required_number(element, "within"), required_number(element, "up_to")
+        )
+    if element.tag == "newton":
+        check_attributes(element, ("run", "least"))
+        return NewtonOrder(run, required_number(element, "least"))
+    check_attributes(element, ("run", "within"))
+    return UniformPeak(run, required_number(element, "within"))
+
+
+def _family(element: etree._Element, name: str, runs: tuple[str, ...]) -> tuple[str, ...]:
+    words = tuple(required_text(element, name).split())
+    for word in words:
+        if word not in runs:
+            raise refusal(element, f"no run is called {word!r}", suggestion(word, runs), SceneError)
+    return words
+
+
+def _quantity(element: etree._Element) -> tuple[str, float | None]:
+    at = number_attribute(element, "at")
+    known = (*QUANTITIES, *COUNTS) if at is None else NeckingHistory.COLUMNS
+    return choice(element, "quantity", known), at

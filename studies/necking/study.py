@@ -1,0 +1,112 @@
+"""The necking study: the runs of a scene by the methods asked for, its checks, one report."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from core_models.errors import OutputError, SceneError
+from core_models.names import suggestion
+from studies.necking.outcome import outcome_of
+from studies.necking.pictures import final_shapes
+from studies.necking.reader import read_necking_scene
+from studies.necking.record import perform_run, run_from
+from studies.necking.scene import NeckingScene, PlannedRun
+from studies.necking.verdicts import Runs
+from studies.necking_methods import METHODS
+from studies.output_folder import OutputFolder, ResumedFolder
+from studies.report.study_page import AGREE, APART, Report, Section, Verdict, write_report
+from studies.run_record import to_json
+from studies.sweep.job import COMPLETE, Job
+from studies.sweep.sweep import run_sweep
+from studies.verification.outcome import Outcome
+from studies.verification.study import plain
+from studies.verification.text import criterion_text
+from studies.versions import versions
+
+SETTINGS = "study.json"
+
+
+def planned(scene: NeckingScene, methods: Sequence[str] | None, quick: bool) -> list[PlannedRun]:
+    """The runs of a scene that are asked for; SceneError for a method or run that it does not have."""
+    for method in methods or ():
+        known = (*METHODS, *(plan.name for plan in scene.runs))
+        if method not in known:
+            raise SceneError(f"no method or run is called {method!r}; {suggestion(method, known)}")
+    plans = [
+        plan
+        for plan in scene.runs
+        if (methods is None or plan.method in methods or plan.name in methods) and (plan.quick or not quick)
+    ]
+    if not plans:
+        there = sorted({plan.method for plan in scene.runs if plan.quick or not quick})
+        raise SceneError(
+            f"{scene.name} has no {'quick ' if quick else ''}run by {', '.join(methods)}; there are runs by "
+            f"{', '.join(there)}"
+        )
+    return plans
+
+
+def study_necking(
+    name: str | Path,
+    out: Path | str,
+    *,
+    methods: Sequence[str] | None = None,
+    quick: bool = False,
+    going_on: bool = False,
+    workers: int | None = None,
+    tell: Callable[[dict[str, Any], int, int], None] = lambda result, done, all_: None,
+) -> Outcome:
+    """Make the runs and write runs/*.json, results.json and report.html.
+
+    going_on : `out` is the folder of a study of the same scene that was stopped; its complete runs are kept.
+    tell : called with each result, how many there are by now, and how many there will be.
+    Raises SceneError or CardError for what cannot be run, OutputError for a folder that is in use or another study's.
+    """
+    scene = read_necking_scene(name)
+    plans = planned(scene, methods, quick)
+    settings = to_json({"study": "necking", "scene": scene.name})
+    with ResumedFolder(out) if going_on else OutputFolder(out) as folder:
+        path = folder.path / SETTINGS
+        if going_on and not (path.exists() and path.read_text(encoding="utf-8") == settings):
+            raise OutputError(f"{out}: holds no study of {scene.name} to go on with; start one with --out")
+        folder.write_text(SETTINGS, settings)
+        jobs = [Job(plan.name.replace(":", "-"), perform_run, (str(name), plan.name)) for plan in plans]
+        results = dict(
+            zip(
+                (plan.name for plan in plans),
+                run_sweep(jobs, folder, workers=workers, tell=tell),
+                strict=True,
+            )
+        )
+        runs = {name: run_from(each) for name, each in results.items() if each["status"] == COMPLETE}
+        failures = {name: each["message"] for name, each in results.items() if name not in runs}
+        outcome = outcome_of(scene, runs, failures)
+        entry = {"study": "necking", "quick": quick, "scene": scene.name, "source": scene.source}
+        entry |= asdict(outcome) | {"met": [criterion.met for criterion in outcome.criteria]}
+        folder.write_text("results.json", to_json(plain(entry | {"versions": versions()})))
+        remark = write_report(_report(scene, outcome, runs, quick), folder)
+        if remark:
+            outcome.remarks.append(remark)
+    return outcome
+
+
+def _report(scene: NeckingScene, outcome: Outcome, runs: Runs, quick: bool) -> Report:
+    met = sum(criterion.met for criterion in outcome.criteria)
+    verdicts = tuple(
+        Verdict(AGREE if each.met else APART, criterion_text(each))
+        for each in sorted(outcome.criteria, key=lambda each: each.met)
+    )
+    facts = (
+        f"{met} of {len(outcome.criteria)} criteria met",
+        f"{len(runs)} runs",
+        f"{outcome.seconds:.0f} s of processor time",
+        "quick" if quick else "full",
+    )
+    tables = tuple(each for each in outcome.tables if each.rows)
+    sections = (
+        Section(scene.name, "What came out", plots=tuple(outcome.plots), verdicts=verdicts),
+        Section("shapes", "Final shapes", figures=tuple(final_shapes(scene, runs))),
+        Section("numbers", "Numbers", tables, remarks=tuple(outcome.remarks)),
+    )
+    return Report(scene.title, f"{scene.description} Source: {scene.source}.", facts, sections)

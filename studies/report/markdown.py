@@ -1,0 +1,54 @@
+"""Reports as Markdown, for a pull request, and their tables as CSV."""
+
+import csv
+import io
+from collections.abc import Iterable
+
+from studies.report.study_page import AGREE, APART, Report, Section
+from studies.verification.outcome import Table
+from studies.verification.text import shown
+
+MARKS = {AGREE: "✓ ", APART: "≠ "}
+
+
+def markdown(report: Report) -> str:
+    """The report without its figures."""
+    lines = [f"# {report.title}", "", report.lead, "", *(f"* {fact}" for fact in report.facts), ""]
+    if report.warnings:
+        lines += ["**What went wrong**", "", *(f"* {warning}" for warning in report.warnings), ""]
+    for each in report.sections:
+        lines += _section(each)
+    lines += [line for footnote in report.footnotes for line in (footnote, "")]
+    return "\n".join(lines)
+
+
+def _section(each: Section) -> Iterable[str]:
+    if not (each.verdicts or each.remarks or any(content.rows for content in each.tables)):
+        return
+    yield from (f"## {each.title}", "")
+    for sentence in (each.lead, *each.remarks):
+        if sentence:
+            yield from (sentence, "")
+    if each.verdicts:
+        yield from (f"* {MARKS.get(verdict.kind, '')}{verdict.text}" for verdict in each.verdicts)
+        yield ""
+    for content in each.tables:
+        if content.rows:
+            yield from (f"### {content.title}", "", *_rows(content), "")
+            yield from (content.note, "") if content.note else ()
+
+
+def _rows(content: Table) -> Iterable[str]:
+    yield "| " + " | ".join(content.head) + " |"
+    yield "|" + "---|" * len(content.head)
+    for row in content.rows:
+        yield "| " + " | ".join(shown(cell).replace("|", "\\|") for cell in row) + " |"
+
+
+def csv_text(content: Table) -> str:
+    """A table as CSV, numbers with all their digits, nothing for what is missing."""
+    buffer = io.StringIO()
+    writer = csv.writer(buffer, lineterminator="\n")
+    writer.writerow(content.head)
+    writer.writerows([["" if cell is None else cell for cell in row] for row in content.rows])
+    return buffer.getvalue()

@@ -1,0 +1,56 @@
+"""The folder of a study: new, or that of one which was stopped; results are kept in it as soon as they are there."""
+
+import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from core_models.errors import OutputError
+from studies.output_folder import OutputFolder, ResumedFolder
+from studies.run_record import to_json
+
+SETTINGS = "study.json"
+KEPT = "runs"
+
+
+@contextmanager
+def study_folder(path: Path | str, settings: dict[str, Any], going_on: bool) -> Iterator[OutputFolder]:
+    """The folder, ours until the end; settings say which study it holds.
+
+    going_on : it is that of a study with the same settings, which was stopped. Raises OutputError for a folder that is
+    in use, or that another study was started in.
+    """
+    with ResumedFolder(path) if going_on else OutputFolder(path) as folder:
+        if going_on:
+            _check_settings(folder.path, settings)
+        folder.write_text(SETTINGS, to_json(settings))
+        yield folder
+
+
+def _check_settings(path: Path, settings: dict[str, Any]) -> None:
+    file = path / SETTINGS
+    before = json.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
+    if before.get("study") != settings["study"]:
+        raise OutputError(f"{path}: holds no {settings['study']} study to go on with; start one with --out")
+    for name, value in json.loads(to_json(settings)).items():
+        if before.get(name) != value:
+            raise OutputError(
+                f"{path}: was started with {name} = {before.get(name)}, not {value}; give what it was started with, "
+                "or start another with --out"
+            )
+
+
+def kept(folder: OutputFolder, key: str) -> dict[str, Any] | None:
+    """The result that was kept under a key, or None."""
+    path = folder.path / KEPT / f"{_file(key)}.json"
+    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else None
+
+
+def keep(folder: OutputFolder, key: str, result: dict[str, Any]) -> None:
+    """Keep a result under a key."""
+    folder.write_text(f"{KEPT}/{_file(key)}.json", to_json(result))
+
+
+def _file(key: str) -> str:
+    return key.replace(":", "-").replace("/", "-")
