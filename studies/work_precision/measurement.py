@@ -18,8 +18,8 @@ class Measurement:
     """A variant at a resolution.
 
     values : answers by quantity [SI]. seconds : processor time of the steps, median of the repeats; spread : of these,
-    largest over smallest; repeats : how many. wall_s : the same by the clock. compile_s : compilation, which is part of neither.
-    memory_bytes : largest of the process. message : why there are no values.
+    largest over smallest; repeats : how many. wall_s : the same by the clock. compile_s : compilation, which is part of
+    neither. memory_bytes : largest of the process. message : why there are no values.
     """
 
     variant: str
@@ -50,9 +50,10 @@ def measure_run(
     repeats: int,
     threads: int = 1,
 ) -> Measurement:
-    """Run so many times, fewer if that takes longer than ENOUGH, and measure; what the program refuses or cannot finish becomes the message.
+    """Run so many times, fewer if that takes longer than ENOUGH, and measure.
 
     build : makes the solver at time zero, with so many threads. finish : steps it to its end and returns its answers.
+    What the program refuses or cannot finish becomes the message.
     A solver of its own makes some steps first, so that nothing is compiled while time is taken.
     """
     try:
