@@ -189,8 +189,9 @@ def flow_on(law, model, flow, problem, values, planes):
     low, high, tried = 0.0, 2.0 * (values[0] - values[2]) / problem.shear, 0.0
     gammas = (0.0, 0.0, 0.0)
     at = strength(flow, problem, 0.0)
+    bulk = mean_stress(model.eos, problem, problem.volume)[1]
     for _iteration in range(2 * MAXIMUM_ITERATIONS):
-        limit = allowance(problem, at.stress, problem.shear)
+        limit = allowance(problem, at.stress, bulk)
         converged, gammas, now = _flow_under(law, model, problem, values, planes, gammas, at.stress, limit)
         if not converged:
             break
@@ -228,13 +229,15 @@ def _flow_under(law, model, problem, values, planes, gammas, cohesion, limit):
             excess(law, planes[1], now.stress, cohesion),
             excess(law, planes[2], now.stress, cohesion),
         )
-        if max(abs(right[0]), abs(right[1]), abs(right[2])) <= limit:
-            return True, gammas, now
+        # One step more, to round-off: cohesion that rises steeply with the rate feels the last digit of the increment.
+        is_near = max(abs(right[0]), abs(right[1]), abs(right[2])) <= limit
         matrix = slopes_of_excess(law, problem, planes, now, 0.0)
         det = determinant(matrix)
         if det == 0.0 or not math.isfinite(det):
-            break
+            return is_near, gammas, now
         step = solved(matrix, det, right)
         gammas = (gammas[0] + step[0], gammas[1] + step[1], gammas[2] + step[2])
         now = flowing(law, model, problem, values, planes, gammas)
+        if is_near:
+            return True, gammas, now
     return False, gammas, now

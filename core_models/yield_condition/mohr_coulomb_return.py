@@ -76,7 +76,7 @@ def _apex(law, model, flow, problem, values):
     increment = math.sqrt(dot(values, values) / 6.0) / problem.shear
     now = strength(flow, problem, increment)
     target = _apex_stress(law, now.stress)
-    limit = allowance(problem, now.stress, problem.shear)
+    limit = allowance(problem, now.stress, mean_stress(model.eos, problem, problem.volume)[1])
     volume, stress, bulk = volume_at(model.eos, problem, target, limit)
     converged = abs(stress - target) <= 10.0 * limit and volume <= problem.volume
     return Returned(

@@ -118,11 +118,10 @@ def outcome(around: int, cases: dict[str, Case], quick: bool, methods: tuple[str
 
 def plot(name: str, found: list[Record]) -> Plot:
     """Pressure over the inner radius, all methods and the closed form."""
-    best = found[0].values
-    curves = [Curve("limit", tuple(best[:, 0] / INNER), tuple(best[:, 2] / COHESION), "exact")]
+    best, grown = found[0].values, [tuple(1e3 * (each.values[:, 0] - INNER)) for each in found]
+    curves = [Curve("limit", grown[0], tuple(best[:, 2] / COHESION), "exact")]
     curves += [
-        Curve(each.method, tuple(each.values[:, 0] / INNER), tuple(each.values[:, 1] / COHESION),
-              MPM if each.method.startswith("mpm") else FEM)
-        for each in found
+        Curve(each.method, way, tuple(each.values[:, 1] / COHESION), MPM if each.method.startswith("mpm") else FEM)
+        for each, way in zip(found, grown, strict=True)
     ]  # fmt: skip
-    return Plot(name, "inner radius / a", "pressure / cohesion", tuple(curves))
+    return Plot(name, "growth of the inner radius [mm]", "pressure / cohesion", tuple(curves))

@@ -137,7 +137,7 @@ def _mechanism(solvers: dict) -> Picture:
         name: (solver.domains(), solver.points.old.equivalent_plastic_strain.copy())
         for name, solver in solvers.items()
     }
-    return Picture("Prandtl's wedge", "plastic strain", fields, (0.0, 0.05))
+    return Picture("Prandtl's wedge", "plastic strain", fields, (0.0, 0.015))
 
 
 PROBLEM = Problem(

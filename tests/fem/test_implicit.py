@@ -224,7 +224,7 @@ def test_missing_support_is_told_by_its_motion(mesh, geometry, loads, told):
 def test_several_bodies_are_refused():
     """They would pass through each other: the message says what has contact."""
     two = join([block([0, 0], [1, 1], [1, 1]), replace(block([2, 0], [3, 1], [1, 1]), boundaries={})])
-    with pytest.raises(UnsupportedError, match="2 bodies, between which finite elements have no contact"):
+    with pytest.raises(UnsupportedError, match="2 bodies, between which fem.ImplicitSolver has no contact"):
         ImplicitSolver(two, steel(), geometry="plane-strain", loads=(Fixed("left"),), increment=1.0)
 
 

@@ -105,3 +105,25 @@ def test_tables_can_be_taken_from_the_page():
     assert re.search(
         r'download="first.csv" href="data:text/csv;base64,[A-Za-z0-9+/=]+"', page(small_report())
     )
+
+
+@pytest.mark.parametrize(
+    ("missing", "told"), [("pyvista", "pip install 'matpoint[report]'"), ("OpenGL", "no usable OpenGL")]
+)
+def test_without_pictures_over_time_the_page_says_why(
+    fake_solvers, classic, tmp_path, monkeypatch, missing, told
+):
+    """The rest of the report is there; the pretended runs draw none as a machine without OpenGL would not."""
+    if missing == "pyvista":
+        monkeypatch.setattr("studies.report.over_time.find_spec", lambda name: None)
+    compare(classic, resolutions=(4,), out=tmp_path / "out")
+    for name in ("report.html", "report.md"):
+        text = (tmp_path / "out" / name).read_text()
+        assert (
+            told.replace("'", "&#x27;" if name.endswith("html") else "'") in text and "final length" in text
+        )
+
+
+def test_an_ended_process_that_draws_costs_the_pictures_only(tmp_path):
+    """A job that cannot be drawn gives None instead of an error."""
+    assert rendered({"pairs": [["no.vtu", "no.vtu"]], "fields": {}, "folder": str(tmp_path)}) is None
