@@ -4,7 +4,9 @@ import inspect
 import math
 from typing import Any
 
-from core_models.errors import SceneError
+import numpy as np
+
+from core_models.errors import SceneError, UnsupportedError
 
 
 def check_between(name: str, value: float, low: float, high: float, unit: str = "") -> float:
@@ -38,3 +40,12 @@ def check_share(name: str, value: float) -> None:
     """Refuse a share that is not from 0 to 1; SceneError."""
     if value != 0.0:
         check_between(name, value, 0.0, 1.0)
+
+
+def require_writable(name: str, array: np.ndarray, shape: tuple[int, ...]) -> None:
+    """Raise UnsupportedError for an array that a kernel cannot fill as it is: a copy would be filled, and lost."""
+    if array.shape != shape or array.dtype != np.float64 or not array.flags.carray:
+        state = "" if array.flags.carray else ", not contiguous or not writable"
+        raise UnsupportedError(
+            f"{name} is an array {array.shape} of {array.dtype}{state}: give np.empty({shape})"
+        )

@@ -4,31 +4,23 @@ from typing import NamedTuple
 
 import numpy as np
 
+from core_models.arguments import require_writable
+from core_models.at_rest import bulk_at_rest, initial_state, initial_wave_speed
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.compilation import CHUNK
-from core_models.elasticity.stiffness import largest_modulus
 from core_models.errors import RunFailure, UnsupportedError
 from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points
 from core_models.laws import (
-    back_stress_count,
     damage_of_porosity,
-    elastic_moduli,
-    pressure,
     stability_measure,
-    stiffness,
-    thermal_volume,
 )
-from core_models.material import Material, has_anisotropic_return
+from core_models.material import Material
 from core_models.nonlocal_average import NonlocalAverage
 from core_models.rows import make_workspace
-from core_models.state import State
 from core_models.status import MEANING, OK
 from core_models.threads import Threads
 from core_models.updates import continuing_general  # noqa: F401
 from core_models.updates.continuing_tangent import continuing_tangents
-from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
-from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
-from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
 from core_models.updates.tangent_kernel import linearise_points
 
 UNITS = {
@@ -142,11 +134,14 @@ class MaterialPoints:
         dt : [s]. stresses : (n, 3, 3) [Pa]; tangents : (n, 9, 9) [Pa]; both contiguous, written: the derivative of the
         step from `old_deformation_gradient` to `deformation_gradient` within dt, at a kink of a law that of one side.
 
-        Raises PointFailure as `advance` does, UnsupportedError with bulk viscosity, which belongs to explicit steps.
+        Raises PointFailure as `advance` does, UnsupportedError with bulk viscosity, which belongs to explicit steps,
+        and for arrays that cannot be written.
         Source: Simo & Taylor, Comput. Methods Appl. Mech. Eng. 48 (1985) 101.
         """
         if self.viscosity is not None:
             raise UnsupportedError("a step with bulk viscosity has no tangent: leave the viscosity out")
+        require_writable("stresses", stresses, (self.n, 3, 3))
+        require_writable("tangents", tangents, (self.n, 9, 9))
         before, after = self.old_deformation_gradient, self.deformation_gradient
         self.threads.run_with(
             linearise_points, len(self._sums), self._workspaces, self.model, before.reshape(self.n, 9),
@@ -249,53 +244,3 @@ class MaterialPoints:
             f"{self.place(step, time, reason.point)}: {reason} even after the step was made smaller; "
             "check velocity and material, or try another resolution"
         )
-
-
-def initial_state(material: Material, n: int, temperature: float, conduction: bool = False) -> State:
-    """State of n undeformed points at a temperature [K], with arrays only for what material or conduction need."""
-
-    def scalar(needed: bool, value: float = 0.0) -> np.ndarray | None:
-        return np.full(n, value) if needed else None
-
-    hypo = isinstance(material.update, HypoelasticPlastic)
-    hyper = isinstance(material.update, HyperelasticPlastic)
-    variable = getattr(material.flow, "hardening_variable", None)
-    voids = getattr(material.damage, "porosity_at_start", None)
-    terms = back_stress_count(material.kinematic_hardening)
-    stress = np.zeros((n, 6))
-    stress[:, :3] = thermal_stress(material, temperature)
-    return State(
-        stress=stress,
-        rotation=np.zeros((n, 3)) if hypo else None,
-        elastic_left_cauchy_green=np.tile([1.0, 1.0, 1.0, 0.0, 0.0, 0.0], (n, 1)) if hyper else None,
-        equivalent_plastic_strain=scalar(material.flow is not None),
-        hardening_variable=scalar(variable is not None, variable or 0.0),
-        temperature=scalar(material.needs_temperature or conduction, temperature),
-        damage=scalar(material.damage is not None),
-        internal_energy=scalar(material.uses("uses_energy")),
-        plastic_volume=scalar(getattr(material.yield_condition, "has_plastic_volume", False)),
-        porosity=scalar(voids is not None, voids or 0.0),
-        back_stress=np.zeros((n, 6 * terms)) if terms else None,
-    )
-
-
-def thermal_stress(material: Material, temperature: float) -> float:
-    """Mean stress [Pa] of the undeformed body at a temperature [K]: not zero only with thermal expansion."""
-    if material.expansion is None:
-        return 0.0
-    return pressure(material.eos, 1.0 / thermal_volume(material.expansion, temperature), 0.0)[0]
-
-
-def initial_wave_speed(material: Material) -> float:
-    """Longitudinal wave speed of the unstressed material [m/s]."""
-    if isinstance(material.update, StVenantKirchhoff) or has_anisotropic_return(material):
-        return float(np.sqrt(largest_modulus(stiffness(material.elasticity)) / material.density))
-    shear = material.shear_at_rest(material.room_temperature)
-    return float(np.sqrt((bulk_at_rest(material) + 4.0 / 3.0 * shear) / material.density))
-
-
-def bulk_at_rest(material: Material) -> float:
-    """Bulk modulus of the unstressed material [Pa]."""
-    if material.eos is None:
-        return elastic_moduli(material.elasticity)[0]
-    return pressure(material.eos, 1.0, 0.0)[1]

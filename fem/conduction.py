@@ -83,18 +83,21 @@ class Conduction:
 
         Returns the heat that has come in [J].
         """
-        points, tables, round_ = self._points, self._tables, self._round
+        points, round_ = self._points, self._round
         self._conduct(dt, points.new.temperature)
         self._threads.run(
             warm_nodes, len(self._supplied), round_.start, round_.entries, self._corners.reshape(-1, COLUMNS),
             self._sources(time + 0.5 * dt), self._held, self._given(time + dt), dt, self.temperatures, self._rises,
             self._supplied,
         )  # fmt: skip
-        self._threads.run(
-            warm_points, len(self._rates), self._element, tables, self._rises, self._residues,
-            points.old.temperature,
-        )  # fmt: skip
+        self._warm_points()
         return float(self._supplied.sum())
+
+    def _warm_points(self) -> None:
+        self._threads.run(
+            warm_points, len(self._rates), self._element, self._tables, self._rises, self._residues,
+            self._points.old.temperature,
+        )  # fmt: skip
 
     def _conduct(self, dt: float, before: np.ndarray) -> None:
         """Fill what the elements give to the nodes; `before` : temperatures of the points before the step."""

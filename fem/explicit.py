@@ -9,7 +9,6 @@ from numpy.typing import ArrayLike
 from core_models.arguments import check_between
 from core_models.body_checks import check_body
 from core_models.bulk_viscosity import BulkViscosity
-from core_models.errors import UnsupportedError
 from core_models.geometry import find_geometry
 from core_models.initial_deformation import cannot_be, check_displacement, deform_slowly
 from core_models.initial_motion import field_values, initial_velocities
@@ -33,8 +32,8 @@ from fem.motion import CONTACT, DAMPING, EXTERNAL, FRICTION, IMPULSE, NODE_CHUNK
 from fem.readout import Readout
 from fem.supports import Supports
 from meshes.axisymmetric import axisymmetric
-from meshes.bodies import bodies_of_nodes
 from meshes.mesh import Mesh, check_mesh
+from meshes.single_body import refuse_several_bodies
 
 
 class ExplicitSolver(Restartable, Readout):
@@ -80,7 +79,7 @@ class ExplicitSolver(Restartable, Readout):
         safety: float = 0.9,
     ) -> None:
         check_mesh(mesh)
-        _refuse_several_bodies(mesh)
+        refuse_several_bodies(mesh, "fem.ExplicitSolver")
         check_body(material, temperature, viscosity)
         check_between("safety", safety, 0.0, 1.0)
         check_between("hourglass", hourglass, 0.0, 1.0)
@@ -202,17 +201,9 @@ class ExplicitSolver(Restartable, Readout):
     def _resist(self) -> None:
         """All forces and the stable step at the present positions."""
         limit = math.inf if self._conduction is None else self._conduction.limit
-        self.time_step = self.safety * min(self._body.resist(self.positions, self.points), limit)
+        step = self.safety * min(self._body.resist(self.positions, self.points), limit)
+        if step < math.inf:  # debris of a body that erosion has deleted sets no limit: the last one holds
+            self.time_step = step
         self._ledger.hourglass = self._body.hourglass_energy
         self._loads = self._external.at(self.positions, self.time)
         self._damping = damping_rate(self._mass_damping, self.time)
-
-
-def _refuse_several_bodies(mesh: Mesh) -> None:
-    """Refuse bodies that would pass through each other: there is no contact between them; UnsupportedError."""
-    count = int(bodies_of_nodes(mesh.cells, len(mesh.points)).max()) + 1
-    if count > 1:
-        raise UnsupportedError(
-            f"{mesh.source}: {count} bodies, between which finite elements have no contact: give one body, merge nodes "
-            "that coincide, or use mpm, where bodies meet in one velocity field"
-        )

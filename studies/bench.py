@@ -4,7 +4,9 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
+from dataclasses import asdict, dataclass
 from statistics import median
+from typing import Any
 
 import numpy as np
 
@@ -37,9 +39,35 @@ build_solver(read_scene("taylor-copper-jc"), "{method}", 8, "unilateral", 1).adv
 """
 
 
+@dataclass(frozen=True)
+class Speed:
+    """How long something takes: the median and the fastest of some repeats, in `unit`."""
+
+    what: str
+    unit: str
+    median: float
+    fastest: float
+
+
 def bench_text(points: int, threads: int) -> str:
     """The speed table, warm; the first time, its kernels are compiled."""
     rows = [["what", "", "median", "fastest"]]
+    rows += [
+        [each.what, each.unit, number(each.median, 3), number(each.fastest, 3)]
+        for each in bench_speeds(points, threads)
+    ]
+    return f"{processor()}, threads: {threads}, {points} points\n\n{aligned(rows)}"
+
+
+def bench_record(points: int, threads: int) -> dict[str, Any]:
+    """The same as plain data."""
+    speeds = [asdict(each) for each in bench_speeds(points, threads)]
+    return {"processor": processor(), "threads": threads, "points": points, "speeds": speeds}
+
+
+def bench_speeds(points: int, threads: int) -> list[Speed]:
+    """Point updates of all law combinations, whole steps, start to the first step."""
+    rows: list[Speed] = []
     rows += _against_the_yardstick(points, threads)
     rows += [
         _row(name, "ns / point", 1e9 / points, _point_update(material, points, threads))
@@ -55,11 +83,11 @@ def bench_text(points: int, threads: int) -> str:
         )
         for method in METHODS
     ]
-    return f"{processor()}, threads: {threads}, {points} points\n\n{aligned(rows)}"
+    return rows
 
 
-def _row(name: str, unit: str, scale: float, seconds: list[float]) -> list[str]:
-    return [name, unit, number(scale * median(seconds), 3), number(scale * min(seconds), 3)]
+def _row(name: str, unit: str, scale: float, seconds: list[float]) -> Speed:
+    return Speed(name, unit, scale * median(seconds), scale * min(seconds))
 
 
 def _timed(call: Callable[[], object], repeats: int = REPEATS) -> list[float]:
@@ -72,7 +100,7 @@ def _timed(call: Callable[[], object], repeats: int = REPEATS) -> list[float]:
     return seconds
 
 
-def _against_the_yardstick(count: int, threads: int) -> Iterator[list[str]]:
+def _against_the_yardstick(count: int, threads: int) -> Iterator[Speed]:
     """The hand-written update, and how much longer the machinery of laws takes for the same, in turns."""
     points = _yielding(yardstick_material(), count, threads)
     calls = by_hand(points, STEP), lambda: points.advance(STEP)
@@ -103,7 +131,7 @@ def _yielding(material: Material, count: int, threads: int) -> MaterialPoints:
     return points
 
 
-def _whole_steps(threads: int) -> Iterator[list[str]]:
+def _whole_steps(threads: int) -> Iterator[Speed]:
     units = {"fem-explicit": ("us / element", 4e6), "mpm": ("ns / particle", 1e9)}
     for scene_name, laws in SCENES.items():
         scene = read_scene(scene_name)

@@ -17,19 +17,23 @@ VERBS = {
     "models": "list the material laws, or explain one",
     "drive": "try a material law: one point along a path of strains and stresses",
     "bench": "measure the speed of this machine",
-    "study": "run a study and write its report: verification, necking, experiments, work-precision",
+    "study": "run a study of many runs and write its report; matpoint study --help lists them",
 }
 EXAMPLES = """examples:
   matpoint compare taylor-copper-jc --out results/copper
   matpoint run taylor-classic --method mpm --resolution 16 --wall plane
   matpoint models johnson_cook
   matpoint drive taylor-copper-jc --to 0.3 --rate 1000
+  matpoint study work-precision taylor-classic
+
+Each command has --help with examples, and --json. Exit status: 0 done; 1 a study's criterion is not met; 2 bad input;
+3 a run went wrong; 130 interrupted.
 """
 BAD_INPUT, INTERRUPTED = 2, 130
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command; returns the exit status: 0, 2 for bad input, 3 for a run that went wrong."""
+    """Run the command; returns its exit status: 0, 1 unmet criteria, 2 bad input, 3 a run that went wrong."""
     tolerate_any_text()
     try:
         with interruptible():

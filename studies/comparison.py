@@ -40,6 +40,12 @@ class Comparison:
     maps: FieldMaps | None = None
     notice: str = ""
 
+    def _repr_html_(self) -> str:
+        """As a notebook shows it."""
+        from studies.report.notebook import comparison_html
+
+        return comparison_html(self)
+
     @property
     def failed(self) -> list[RunResult]:
         """The runs that went wrong."""

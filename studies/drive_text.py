@@ -25,7 +25,7 @@ HEADINGS = {  # field: heading, factor; other scalars go by their own names
 def drive_text(result: DriveResult) -> str:
     """All of it."""
     parts = [_head(result.test), aligned(_table(result)), aligned(list(_final(result)))]
-    parts += ["\n".join(f"remark: {remark}" for remark in _remarks(result))]
+    parts += ["\n".join(f"remark: {remark}" for remark in remarks(result))]
     return "\n\n".join(part for part in parts if part)
 
 
@@ -110,7 +110,8 @@ def _shown(value: float) -> str:
     return f"{value:.5g}"
 
 
-def _remarks(result: DriveResult) -> Iterator[str]:
+def remarks(result: DriveResult) -> Iterator[str]:
+    """What a table hides: no yielding, melting, damage that is complete."""
     material, fields = result.test.material, result.history.fields
     plastic = fields.get("equivalent_plastic_strain")
     if plastic is not None and plastic[-1] == 0.0:

@@ -128,6 +128,11 @@ def add_method_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_json_option(parser: argparse.ArgumentParser) -> None:
+    """Results as data."""
+    parser.add_argument("--json", action="store_true", help="print one JSON document instead of text")
+
+
 def asked_scene(options: argparse.Namespace):
     """The scene that the options name."""
     from studies.scene_reader import read_scene

@@ -23,7 +23,7 @@ class Progress(Observer):
     def start(self, solver) -> None:
         """Start the clock and show that compilation may be under way."""
         self._began = time.monotonic()
-        self._show(f"{self._label}  starting ...")
+        self._show(f"{self._label}  starting; the first run of a kind compiles for some seconds ...")
 
     def resume(self, solver, checkpoint) -> None:
         """Start the clock anew."""

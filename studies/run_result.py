@@ -54,6 +54,12 @@ class RunResult:
     numerical_fracture: dict[str, Any] | None = None
     final: FinalState | None = None
 
+    def _repr_html_(self) -> str:
+        """As a notebook shows it."""
+        from studies.report.notebook import run_html
+
+        return run_html(self)
+
     @property
     def status(self) -> str:
         """'complete' or 'failed'."""

@@ -20,6 +20,7 @@ class RestartableIncrements:
     """The half of a quasi-static solver that writes itself down and goes on from there; its log is not part of it.
 
     OWN : attributes of the solver, or of its parts, that it needs besides: name of the part, names of the attributes.
+    A part that the solver does without is None.
     """
 
     OWN: tuple[tuple[str, tuple[str, ...]], ...] = ()
@@ -49,9 +50,10 @@ class RestartableIncrements:
             put_values(getattr(self, part), names, part_of(checkpoint, part.lstrip("_")))
 
     def _parts(self) -> tuple[tuple[str, tuple[str, ...]], ...]:
-        return (
+        parts = (
             ("_supports", ("reactions",)),
             ("_increments", ("next",)),
             ("_route", ("load_time", "load_rate")),
             *self.OWN,
         )
+        return tuple(each for each in parts if getattr(self, each[0]) is not None)

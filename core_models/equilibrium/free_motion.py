@@ -14,22 +14,11 @@ _NAMES = {
 FREE = 1e-9  # singular values of a held motion, relative to the largest possible one
 
 
-def free_motion(x: np.ndarray, fixed: np.ndarray, bodies: np.ndarray, geometry: Geometry) -> str:
-    """What a body can do without strain, in words; empty if every body is held.
+def free_motion(x: np.ndarray, fixed: np.ndarray, geometry: Geometry) -> str:
+    """What a body can do without strain, in words; empty if it is held.
 
-    x (n, d) : positions of the nodes [m]. fixed (n, d) : components that are given. bodies (n,) : number of the body
-    that a node belongs to.
+    x (n, d) : positions of the nodes [m]. fixed (n, d) : components that are given.
     """
-    for body in range(int(bodies.max()) + 1):
-        chosen = bodies == body
-        motion = _free_of_one(x[chosen], fixed[chosen], geometry)
-        if motion:
-            node = int(np.flatnonzero(chosen)[0])
-            return motion if bodies.max() == 0 else f"{motion} of the body with node {node}"
-    return ""
-
-
-def _free_of_one(x: np.ndarray, fixed: np.ndarray, geometry: Geometry) -> str:
     modes = rigid_modes(x, geometry)
     held = modes[:, fixed]
     _left, values, right = np.linalg.svd(held @ held.T / len(x))

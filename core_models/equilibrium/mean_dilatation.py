@@ -11,9 +11,9 @@ in which A and p depend on the point's own F and theta only: dA = A_F dF + A_the
 from core_models.compilation import beside_kernel
 from core_models.tensors import THIRD
 
-# Vectors of nine numbers: F, C (F^-T after `linearise_point`), A + (P p) C, A_theta, m, products of tangent and Fbar.
-GRADIENT, COFACTOR, FORCE, OWN, MEAN, _RIGHT, _LEFT = range(7)
-VECTORS = 7
+# Vectors of nine numbers: F, C, F^-T, A + (P p) C, A_theta, m, products of the tangent and Fbar.
+GRADIENT, COFACTOR, INVERSE, FORCE, OWN, MEAN, _RIGHT, _LEFT = range(8)
+VECTORS = 8
 
 
 @beside_kernel
@@ -36,16 +36,16 @@ def put_cofactor(gradients, k, factor, vectors):
 
 @beside_kernel
 def linearise_point(v, b, gradients, s, stresses, tangents, k, pressure):
-    """Write A + (P p) C, A_theta and m of point k to the vectors v (VECTORS, 9), A_F + (P p) dC/dF to b (9, 9).
+    """Write F, C, F^-T, A + (P p) C, A_theta and m of point k to the vectors v (VECTORS, 9).
 
-    gradients (n, 3, 3) : Fbar. s : of the point. stresses (n, 3, 3), tangents (n, 9, 9) : Pbar and its derivative [Pa].
-    pressure : (P p) [Pa]. Returns n.
+    b (9, 9) : A_F + (P p) dC/dF, written. gradients (n, 3, 3) : Fbar. s : of the point. stresses (n, 3, 3),
+    tangents (n, 9, 9) : Pbar and its derivative [Pa]. pressure : (P p) [Pa]. Returns n.
     """
     theta = put_cofactor(gradients, k, 1.0 / s, v)
     ratio = theta / (s * s * s)
     stress_work, tangent_work = 0.0, 0.0
     for i in range(9):
-        v[COFACTOR, i] /= ratio
+        v[INVERSE, i] = v[COFACTOR, i] / ratio
         v[_RIGHT, i], v[_LEFT, i] = 0.0, 0.0
         for j in range(9):
             v[_RIGHT, i] += tangents[k, i, j] * v[GRADIENT, j]
@@ -57,19 +57,19 @@ def linearise_point(v, b, gradients, s, stresses, tangents, k, pressure):
     energy_theta = (s * s * tangent_work + s * stress_work) * THIRD * THIRD / theta
     for i in range(9):
         stress = stresses[k, i // 3, i % 3]
-        slope = s * s * (v[_LEFT, i] - tangent_work * THIRD * v[COFACTOR, i])
-        slope = THIRD * (slope + s * (stress - stress_work * THIRD * v[COFACTOR, i]))
+        slope = s * s * (v[_LEFT, i] - tangent_work * THIRD * v[INVERSE, i])
+        slope = THIRD * (slope + s * (stress - stress_work * THIRD * v[INVERSE, i]))
         v[MEAN, i] = slope / theta
-        v[OWN, i] = s * THIRD / theta * (stress + s * v[_RIGHT, i]) - energy_theta * v[COFACTOR, i]
-        v[FORCE, i] = s * stress + (pressure * ratio - energy) * v[COFACTOR, i]
+        v[OWN, i] = s * THIRD / theta * (stress + s * v[_RIGHT, i]) - energy_theta * v[INVERSE, i]
+        v[FORCE, i] = s * stress + (pressure * ratio - energy) * v[INVERSE, i]
     for i in range(9):
         stress = stresses[k, i // 3, i % 3]
         for j in range(9):
-            twist = v[COFACTOR, 3 * (i // 3) + j % 3] * v[COFACTOR, 3 * (j // 3) + i % 3]
+            twist = v[INVERSE, 3 * (i // 3) + j % 3] * v[INVERSE, 3 * (j // 3) + i % 3]
             b[i, j] = (
-                s * s * (tangents[k, i, j] - THIRD * v[_RIGHT, i] * v[COFACTOR, j])
-                - s * THIRD * stress * v[COFACTOR, j]
-                - v[COFACTOR, i] * (theta * v[MEAN, j] - pressure * ratio * v[COFACTOR, j])
+                s * s * (tangents[k, i, j] - THIRD * v[_RIGHT, i] * v[INVERSE, j])
+                - s * THIRD * stress * v[INVERSE, j]
+                - v[INVERSE, i] * (theta * v[MEAN, j] - pressure * ratio * v[INVERSE, j])
                 + (energy - pressure * ratio) * twist
             )
     return (energy_theta - energy / theta) / theta

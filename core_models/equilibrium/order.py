@@ -14,8 +14,8 @@ def newton_orders(log: ConvergenceLog) -> list[float]:
 
     n = (r . K^-1 r)^(1/2), the energy norm of the residual r: unlike a sum of squared forces it does not mix stiff and
     soft motions, of which Newton's method takes out the stiff ones first. n1, n2, n3 are the last three above 1000
-    times round-off. An attempt qualifies if it has three such after whole corrections, that of its guess not counted,
-    and if the points that flow are the same in all three.
+    times round-off. An attempt qualifies if it has three such, that of its guess not counted, that whole corrections
+    have led to without changing which points flow: where that has changed a residual is no remainder of second order.
     """
     attempts = groupby(log.iterations, key=lambda each: (each.increment, each.attempt))
     found = (_order(list(group)) for _key, group in attempts)
@@ -28,7 +28,7 @@ def _order(iterations: list[Iteration]) -> float | None:
     norms = [(math.sqrt(after.energy), before) for before, after in pairs]
     floor = FLOOR * max((norm for norm, _at in norms), default=0.0)
     last = [(norm, at) for norm, at in norms if norm > floor][-3:]
-    if len(last) < 3 or not all(at.same and at.length == 1.0 for _norm, at in last[1:]):
+    if len(last) < 3 or not all(at.same and at.length == 1.0 for _norm, at in last):
         return None
     first, second, third = (norm for norm, _at in last)
     return math.log(third / second) / math.log(second / first) if third < second < first else None

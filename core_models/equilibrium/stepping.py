@@ -47,18 +47,18 @@ class QuasiStatic:
     ADVICE = "prescribe displacements"
 
     def _start(
-        self, nodes: np.ndarray, bodies: np.ndarray, system: LoadedSystem, supports: Held, pattern: Pattern, *,
+        self, nodes: np.ndarray, system: LoadedSystem, supports: Held, pattern: Pattern, *,
         increment: float, smallest: float | None, tolerance: float, iterations: int, linear_solver: str | None,
         log: Path | str | None, condition: float | None = None, measure: Measure | None = None,
     ) -> None:  # fmt: skip
         """Begin at time 0.
 
-        nodes (n, d) : positions in the reference body [m]. bodies (n,) : number of the body of each. condition : number
+        nodes (n, d) : positions in the reference body [m]. condition : number
         of the stiffness at the start, for the log. measure : of the way along a path of equilibrium, None for
         loads that follow their histories in time.
         """
         check_between("tolerance", tolerance, 1e-12, 1e-3)
-        self._nodes, self._bodies = nodes, bodies
+        self._nodes = nodes
         self._system, self._supports, self._pattern = system, supports, pattern
         linear = make_linear_solver(linear_solver, pattern)
         self.log = ConvergenceLog(log)
@@ -172,7 +172,7 @@ class QuasiStatic:
         self.time, self.step_count = end, self.step_count + 1
 
     def _free_motion(self) -> str:
-        return free_motion(self._nodes, self._system.fixed, self._bodies, self.geometry)
+        return free_motion(self._nodes, self._system.fixed, self.geometry)
 
     def _refuse_free_motion(self) -> None:
         motion = self._free_motion()

@@ -7,13 +7,14 @@ from core_models.bulk_viscosity import viscous_pressure
 from core_models.columns import get_point, put_point
 from core_models.compilation import inside_kernel
 from core_models.elasticity.stiffness import largest_modulus, stressed
-from core_models.laws import advance_rows, elastic_moduli, eroded_stress, is_out, stiffness
+from core_models.laws import elastic_moduli, eroded_stress, is_out, stiffness
 from core_models.quaternions import rotation_matrix, rotation_vector, turned
 from core_models.rotation import rotation_increment
 from core_models.rows import F0, F1, LENGTH, ROTATION_1, get, get_tensor, put_vector
 from core_models.state import PointState
 from core_models.status import INVERTED, OK
 from core_models.tensors import (
+    IDENTITY,
     congruence,
     contract,
     determinant,
@@ -33,10 +34,11 @@ from core_models.updates.anisotropic_return import (
     without_flow,
 )
 from core_models.updates.back_stress import turn_back_stresses
-from core_models.updates.balance import Balance, damaged, heated, left_behind, put_balance
+from core_models.updates.balance import Balance, damaged, heated, leave_behind, put_balance
 from core_models.updates.conditions import flow_before
 from core_models.updates.corotation import stretching
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic, unrotated
+from core_models.updates.interface import advance_rows
 from core_models.updates.prediction import NO_STRESS, has_no_strength
 
 
@@ -81,10 +83,7 @@ def _(update, rows, statuses, count, model, viscosity, dt):
         statuses[k], step = solved_step(update, rows, k, model, 1.0 / dt)
         if is_out(model.erosion, step.before.damage):
             statuses[k] = OK
-            point, balance = left_behind(step.before)
-            put_vector(rows, ROTATION_1, k, step.before.rotation)
-            put_point(rows, k, point)
-            put_balance(rows, k, balance)
+            leave_behind(rows, k, step.before)
         else:
             complete_step(rows, k, model, viscosity, dt, step)
 
@@ -95,9 +94,9 @@ def solved_step(update, rows, k, model, over_dt):
     before = get_point(rows, k)
     f0, f1 = get_tensor(rows, F0, k), get_tensor(rows, F1, k)
     j0, j1 = determinant(f0), determinant(f1)
-    is_inverted = not j1 > 0.0
+    is_inverted = not min(j0, j1) > 0.0
     if is_inverted:
-        f1, j1 = f0, j0
+        f0, f1, j0, j1 = IDENTITY, IDENTITY, 1.0, 1.0
     r0, v0, a = unrotated(f0, f1, before.rotation)
     q, u = rotation_increment(a)
     r1 = turned(q, r0)

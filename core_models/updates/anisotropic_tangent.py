@@ -2,7 +2,7 @@
 
 from core_models.compilation import inside_kernel
 from core_models.elasticity.stiffness import stressed
-from core_models.laws import elastic_moduli
+from core_models.laws import elastic_moduli, is_out
 from core_models.rows import F0, F1, get_tensor
 from core_models.status import OK
 from core_models.tensors import (
@@ -19,17 +19,30 @@ from core_models.tensors import (
 )
 from core_models.updates.anisotropic_plastic import AnisotropicPlastic, carried, complete_step, solved_step
 from core_models.updates.anisotropic_return import anisotropic_change
+from core_models.updates.balance import leave_behind
 from core_models.updates.conditions import flow_before
 from core_models.updates.corotation import forth
 from core_models.updates.hypoelastic_tangent import strain_change, unrotated_motion
 from core_models.updates.prediction import NO_STRESS, has_no_strength
-from core_models.updates.tangent import direction, linearise_rows, put_change, put_stress, transported
+from core_models.updates.tangent import (
+    direction,
+    linearise_rows,
+    put_change,
+    put_nothing,
+    put_stress,
+    transported,
+)
 
 
 @linearise_rows.register(AnisotropicPlastic)
 def _(update, rows, statuses, count, model, dt, start, stresses, tangents):
     for k in range(count):
         statuses[k], step = solved_step(update, rows, k, model, 1.0 / dt)
+        if is_out(model.erosion, step.before.damage):
+            statuses[k] = OK
+            leave_behind(rows, k, step.before)
+            put_nothing(stresses, tangents, start + k)
+            continue
         if statuses[k] == OK:
             flow = flow_before(model, step.before, step.volume_ratio_0)
             linearise_point(update, rows, k, model, flow, step, start + k, stresses, tangents)

@@ -4,9 +4,9 @@ import math
 from typing import NamedTuple
 
 from core_models.bulk_viscosity import viscous_pressure
+from core_models.columns import put_point
 from core_models.compilation import inside_kernel
 from core_models.laws import (
-    complete,
     damage_after,
     damage_increment,
     elastic_moduli,
@@ -14,14 +14,14 @@ from core_models.laws import (
     heat_capacity,
     heated_fraction,
     pressure,
-    stress_measure,
     thermal_volume,
     volume_warming,
 )
-from core_models.rows import BALANCE, get, put
+from core_models.rows import BALANCE, ROTATION_1, get, put, put_vector
 from core_models.state import PointState
 from core_models.tensors import mean, plus_isotropic, scaled
 from core_models.updates.conditions import shear_before
+from core_models.updates.interface import complete, stress_measure
 from core_models.updates.prediction import NO_STRESS
 
 FOUR_THIRDS = 4.0 / 3.0
@@ -122,6 +122,15 @@ def left_behind(before):
         before.internal_energy,
     )
     return after, Balance(0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@inside_kernel
+def leave_behind(rows, k, before):
+    """Write state and balance of a point that is out of the simulation."""
+    point, balance = left_behind(before)
+    put_vector(rows, ROTATION_1, k, before.rotation)
+    put_point(rows, k, point)
+    put_balance(rows, k, balance)
 
 
 @inside_kernel

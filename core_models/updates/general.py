@@ -15,14 +15,11 @@ from core_models.compilation import inside_kernel
 from core_models.dispatch import generic
 from core_models.elementary import exponential, logarithm
 from core_models.laws import (
-    advance_rows,
     damage_of_porosity,
     elastic_moduli,
     eroded_stress,
     is_out,
-    predict_carefully,
     pressure,
-    stress_measure,
     thermal_volume,
 )
 from core_models.rows import (
@@ -51,7 +48,7 @@ from core_models.tensors import (
     scaled,
 )
 from core_models.updates.back_stress import turn_back_stresses
-from core_models.updates.balance import FOUR_THIRDS, Balance, damaged, heated, left_behind, put_balance
+from core_models.updates.balance import FOUR_THIRDS, Balance, damaged, heated, leave_behind, put_balance
 from core_models.updates.conditions import flow_before, shear_before
 from core_models.updates.general_problem import (
     ELASTIC,
@@ -64,6 +61,7 @@ from core_models.updates.general_problem import (
 )
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic, unimodular_mean
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.updates.interface import advance_rows, predict_carefully, stress_measure
 from core_models.updates.prediction import NO_STRESS, Prediction, has_no_strength, put_prediction
 from core_models.updates.turning import step_rotation
 from core_models.yield_condition import (  # noqa: F401
@@ -149,10 +147,7 @@ def _(update, rows, statuses, count, model, viscosity, dt):
         statuses[k], step = solved_step(update, rows, k, model, 1.0 / dt)
         if is_out(model.erosion, step.before.damage):
             statuses[k] = OK
-            point, balance = left_behind(step.before)
-            put_vector(rows, ROTATION_1, k, step.before.rotation)
-            put_point(rows, k, point)
-            put_balance(rows, k, balance)
+            leave_behind(rows, k, step.before)
         else:
             complete_step(update, rows, k, model, viscosity, dt, step)
 

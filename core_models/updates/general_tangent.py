@@ -2,7 +2,7 @@
 
 from core_models.compilation import inside_kernel
 from core_models.dispatch import generic
-from core_models.laws import eroded_stress, stress_measure
+from core_models.laws import eroded_stress, is_out
 from core_models.rotation import asymmetry
 from core_models.rows import F0, F1, get_tensor
 from core_models.status import OK
@@ -17,6 +17,7 @@ from core_models.tensors import (
     symmetric_part,
     transposed_product,
 )
+from core_models.updates.balance import leave_behind
 from core_models.updates.conditions import flow_before
 from core_models.updates.corotation import forth
 from core_models.updates.elastoplastic_tangent import kinematics, measure_change, trial_change
@@ -25,8 +26,9 @@ from core_models.updates.general_problem import return_change
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.updates.hypoelastic_tangent import strain_change
+from core_models.updates.interface import stress_measure
 from core_models.updates.prediction import NO_STRESS, has_no_strength
-from core_models.updates.tangent import direction, linearise_rows, put_change, put_stress
+from core_models.updates.tangent import direction, linearise_rows, put_change, put_nothing, put_stress
 from core_models.updates.turning import polar
 from core_models.yield_condition import drucker_prager_change, mohr_coulomb_change  # noqa: F401
 
@@ -35,6 +37,11 @@ from core_models.yield_condition import drucker_prager_change, mohr_coulomb_chan
 def _(update, rows, statuses, count, model, dt, start, stresses, tangents):
     for k in range(count):
         statuses[k], step = solved_step(update, rows, k, model, 1.0 / dt)
+        if is_out(model.erosion, step.before.damage):
+            statuses[k] = OK
+            leave_behind(rows, k, step.before)
+            put_nothing(stresses, tangents, start + k)
+            continue
         if statuses[k] == OK:
             flow = flow_before(model, step.before, step.prediction.volume_ratio_0)
             law = model.yield_condition

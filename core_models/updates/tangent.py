@@ -27,7 +27,8 @@ def linearise_rows(update, rows, statuses, count, model, dt, start, stresses, ta
 
     Parameters
     ----------
-    update, rows, statuses, count, model, dt : see `advance_rows` (core_models.laws). start : the first point.
+    update, rows, statuses, count, model, dt : see `advance_rows` (core_models.updates.interface).
+    start : the first point.
     stresses, tangents : (n, 9) first Piola stress P [Pa] and (n, 9, 9) dP/dF [Pa], written from `start` on.
     """
 
@@ -61,6 +62,15 @@ def put_stress(stresses, point, kirchhoff, inverse_gradient):
     p = product_transposed(full(kirchhoff), inverse_gradient)
     for row in range(9):
         stresses[point, row] = p[row]
+
+
+@inside_kernel
+def put_nothing(stresses, tangents, point):
+    """Write stress and tangent of a point that is out of the simulation."""
+    for row in range(9):
+        stresses[point, row] = 0.0
+        for column in range(9):
+            tangents[point, row, column] = 0.0
 
 
 @inside_kernel

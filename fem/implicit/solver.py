@@ -21,15 +21,17 @@ from fem.body import Body
 from fem.cures.choice import NODAL, cures_of, find_cure, make_cure
 from fem.elements import FULL, is_one_point_brick
 from fem.hourglass import DEFAULT
+from fem.implicit.conduction import ImplicitConduction
 from fem.implicit.frequency import lowest_frequency
 from fem.implicit.load_limit import ADVICE, growing_loads
 from fem.implicit.path import Path, make_measure
+from fem.implicit.spurious_modes import refuse_spurious_modes
 from fem.implicit.system import ElementSystem
 from fem.shape_readout import ShapeReadout
 from fem.supports import Supports
 from meshes.axisymmetric import axisymmetric
-from meshes.bodies import bodies_of_nodes
 from meshes.mesh import Mesh
+from meshes.single_body import refuse_several_bodies
 
 
 class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
@@ -37,8 +39,9 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
 
     Parameters
     ----------
-    mesh, material, geometry, temperature, loads, threads, integration, cure : as `fem.ExplicitSolver` takes them, but
-    for nodal averages and one-point quads and hexahedra, which have no tangent here, and Damping, which is dynamic.
+    mesh, material, geometry, temperature, loads, threads, conduction, integration, cure : as `fem.ExplicitSolver` takes
+    them, but for nodal averages and one-point quads and hexahedra, which have no tangent here, and Damping, which is
+    dynamic. Heat is conducted after each increment, by backward Euler.
     increment : of time to take [s], > 0; it is cut on failure, and grows again on ease. smallest : below it the run
     gives up [s]; by default 1e-6 of the increment.
     tolerance : on the residual, relative to all forces on nodes, in [1e-12, 1e-3]. iterations : allowed per increment.
@@ -53,7 +56,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
     """
 
     method = "fem-implicit"
-    OWN = (("_body", ("scales",)),)
+    OWN = (("_body", ("scales",)), ("_conduction", ("temperatures",)))
     ADVICE = ADVICE
 
     def __init__(
@@ -74,22 +77,25 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
         linear_solver: str | None = None,
         log: FilePath | str | None = None,
         path: Path | None = None,
+        conduction: bool = False,
     ) -> None:
         if temperature is not None:
             check_between("temperature", temperature, 0.0, math.inf, "K")
         self.geometry = find_geometry(geometry, mesh.dimension)
         check_plane(material, self.geometry)
         self.mesh = axisymmetric(mesh) if geometry in (None, "axisymmetric") and mesh.dimension == 2 else mesh
-        check_loads(loads, self.mesh, self.geometry)
+        refuse_several_bodies(self.mesh, "fem.ImplicitSolver")
+        check_loads(loads, self.mesh, self.geometry, conduction=conduction)
         refuse_damping(loads, "fem.ExplicitSolver")
         self.material = material
         self.cure = find_cure(cure, mesh.kind, integration)
         _refuse_without_tangent(mesh.kind, integration, self.cure)
+        refuse_spurious_modes(self.mesh, self.geometry, material, self.cure)
         self.threads = Threads(threads)
         self._body = Body(self.mesh, material, self.geometry, integration, self.cure, DEFAULT, self.threads)
         self.mass = float(self._body.nodal_mass.sum())
         volumes = self._body.space.tables.weights.ravel()
-        self.points = MaterialPoints(material, volumes, temperature, None, self.threads)
+        self.points = MaterialPoints(material, volumes, temperature, None, self.threads, conduction)
         self.points.connect(self.reference_positions)
         supports = Supports(loads, self.mesh, self.geometry)
         projection = make_cure(self.cure, self.mesh, self._body.space)
@@ -99,12 +105,16 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
             self.threads,
         )  # fmt: skip
         pattern = Pattern(system.tables, ~system.fixed.ravel(), self.threads)
-        bodies = bodies_of_nodes(self.mesh.cells, len(self.mesh.points))
         self._start(
-            self.mesh.points, bodies, system, supports, pattern, increment=increment, smallest=smallest,
+            self.mesh.points, system, supports, pattern, increment=increment, smallest=smallest,
             tolerance=tolerance, iterations=iterations, linear_solver=linear_solver, log=log,
             measure=None if path is None else make_measure(path, self.mesh, supports),
         )  # fmt: skip
+        self._conduction = None
+        if conduction:
+            self._conduction = ImplicitConduction(
+                self.mesh, self.geometry, integration, self._body, self.points, self._loads, linear_solver
+            )
 
     @property
     def positions(self) -> np.ndarray:
@@ -124,8 +134,11 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
         return lowest_frequency(self._pattern, system.stiffness(), masses)
 
     def _accept(self, places: np.ndarray, dt: float, end: float) -> None:
+        start = self.time
         super()._accept(places, dt, end)
         self._body.accept()
+        if self._conduction is not None:
+            self._ledger.heat += self._conduction.advance(dt, start)
 
     def _growing(self, before: float, after: float) -> str:
         times = before, after

@@ -1,9 +1,10 @@
 """From the coefficients of the grid to the deformation gradients that the particles see.
 
 With x_a the coefficients of the functions, F_q = sum_a x_a grad N_a(X_q) and the hoop stretch of a body of revolution
-sum_a r_a N_a(X_q) / R_q. The cure gives all particles of a cell, q, the mean of their volume ratios:
+sum_a r_a N_a(X_q) / R_q. The cure lets the particles of a cell, q, see the mean of their changes of volume but for a
+share alpha:
 
-    Fbar_q = s_q F_q,   s_q = (theta / J_q)^(1/3),   theta = sum_q V_q J_q / sum_q V_q
+    Fbar_q = s_q F_q,   s_q = (theta_q / J_q)^(1/3),   theta_q = (1 - alpha) sum_q V_q J_q / sum_q V_q + alpha J_q
 """
 
 from core_models.compilation import beside_kernel, kernel
@@ -30,15 +31,15 @@ def put_gradient(gradients, p, nodes, e, slopes, operator, x):
 
 @kernel
 def deform_cells(
-    first, last, cured, starts, order, nodes, slopes, operator, volumes, x, gradients, scales, failures
+    first, last, share, starts, order, nodes, slopes, operator, volumes, x, gradients, scales, failures
 ):
     """Deformation gradients of the particles of chunks first ... last-1 of CELL_CHUNK cells.
 
     Parameters
     ----------
-    cured : whether the cure acts. starts, order, nodes : of `SplineGrid`. slopes (n, a, D) : of the functions at the
-    particles, operator : `GradientOperator`, what D means. volumes (n,) : reference [m^3]. x (k, d) : coefficients [m].
-    gradients (n, 3, 3) : Fbar, written. scales (n,) : s, written. failures (chunks, 2) : status and particle.
+    share : alpha, 1 without the cure. starts, order, nodes : of `SplineGrid`. slopes (n, a, D) : of the functions at
+    the particles, operator : `GradientOperator`, what D means. volumes (n,) : reference [m^3]. x (k, d) : coefficients
+    [m]. gradients (n, 3, 3) : Fbar, written. scales (n,) : s, written. failures (chunks, 2) : status and particle.
     """
     for chunk in range(first, last):
         failures[chunk, 0] = OK
@@ -54,7 +55,8 @@ def deform_cells(
                 volume, current = volume + volumes[p], current + volumes[p] * ratio
             for q in range(starts[e], starts[e + 1]):
                 p = order[q]
-                s = cube_root(current / (volume * scales[p])) if cured and scales[p] > 0.0 else 1.0
+                mean = (1.0 - share) * current / volume
+                s = cube_root(mean / scales[p] + share) if share < 1.0 and scales[p] > 0.0 else 1.0
                 scales[p] = s
                 for i in range(3):
                     for j in range(3):

@@ -22,20 +22,28 @@ from core_models.material import Material
 from core_models.plane_symmetry import check_plane
 from core_models.threads import Threads
 from meshes.axisymmetric import axisymmetric
-from meshes.bodies import bodies_of_nodes
 from meshes.mesh import Mesh, check_mesh
+from meshes.single_body import refuse_several_bodies
 from mpm.body import Body
 from mpm.configurations import Total
 from mpm.dilatation import find_cure
 from mpm.implicit.grid import SplineGrid
-from mpm.implicit.planes import grid_lines, held_ends, held_planes
+from mpm.implicit.planes import grid_lines, held_ends, held_planes, weakly_held
 from mpm.implicit.splines import DEGREES
 from mpm.implicit.supports import Supports
 from mpm.implicit.system import ParticleSystem
+from mpm.implicit.weak_supports import WeakSupports
 from mpm.interpolation.catalogue import check_interpolation
 from mpm.particles import GAUSS, domain_corners
 
 GHOST = 1e-4
+OWN_SHARE = {"linear": 0.0, "quadratic": 0.1, "cubic": 0.1}
+"""Share alpha of its own change of volume that a particle keeps under the cure (mpm.implicit.deformation).
+
+Where the stress exceeds the slope of the flow stress, beyond the largest force of a bar, changes of volume that a
+cell's mean does not see grow by themselves if nothing else holds them, and the surface wrinkles. One of ten parts of
+the bulk modulus holds them, and does not lock splines that are smooth; linear functions have next to no such changes.
+"""
 
 
 class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
@@ -49,17 +57,19 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
     cell_size : of all cells [m], or for each axis a size or the lines between the cells, ascending [m]: finer where it
     matters. The grid ends where the body is held (mpm.implicit.planes).
     interpolation : B-splines, 'quadratic', 'cubic' or 'linear', which end with the grid.
-    cure : of volumetric locking, 'mean-dilatation' (over each cell) or None.
+    cure : of volumetric locking, 'mean-dilatation' (over each cell, but for a share) or None.
     ghost : factor gamma of the penalty that stabilises cells which the body cuts (mpm.implicit.ghost), 0 for none.
     increment, smallest, tolerance, iterations, linear_solver, log : as `fem.ImplicitSolver` takes them; the log begins
     with the condition number of the stiffness of the undeformed body.
 
-    Supports hold whole faces of the body, plane and normal to an axis. A body force at current positions has no
-    stiffness of its own, so that it costs iterations.
+    Supports hold whole faces of the body that are plane and normal to an axis exactly, others by stiff springs
+    (mpm.implicit.weak_supports). A body force at current positions has no stiffness of its own, so that it costs
+    iterations.
     `advance` makes one increment. Raises SceneError, MeshError or UnsupportedError for what cannot be.
     """
 
     method = "mpm-implicit"
+    OWN = (("_weak", ("moved", "reactions", "time")),)
 
     def __init__(
         self,
@@ -91,10 +101,11 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
             )
         if ghost != 0.0:
             check_between("ghost", ghost, 0.0, 1.0)
-        cured = find_cure(cure)
+        share = OWN_SHARE[interpolation] if find_cure(cure) else 1.0
         kind = find_geometry(geometry, mesh.dimension)
         check_plane(material, kind)
         mesh = axisymmetric(mesh) if isinstance(kind, Axisymmetric) else mesh
+        refuse_several_bodies(mesh, "mpm.ImplicitSolver")
         check_loads(loads, mesh, kind)
         refuse_damping(loads, "mpm.Solver")
         planes = held_planes(mesh, kind, loads)
@@ -105,20 +116,21 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
             temperature=temperature, viscosity=None, affine=False, conduction=False, configuration=Total(),
         )  # fmt: skip
         grid = SplineGrid(DEGREES[interpolation], lines, ends, self.reference_positions)
-        supports = Supports(loads, mesh, kind, grid, planes)
+        shear = material.shear_at_rest(material.room_temperature)
+        self._weak = WeakSupports(weakly_held(mesh, loads, planes), self.particles, kind, grid, shear)
+        supports = Supports(loads, mesh, kind, grid, planes, self._weak)
         system = ParticleSystem(
-            grid, kind, self.particles, self.points, material, supports.fixed, tuple(loads), cured, ghost,
+            grid, kind, self.particles, self.points, material, supports.fixed, tuple(loads), self._weak, share, ghost,
             self.threads,
         )  # fmt: skip
         self._grid, self._undeformed = grid, np.broadcast_to(np.eye(3), (self.points.n, 3, 3))
         pattern = Pattern(system.tables, ~system.fixed.ravel(), self.threads)
-        bodies = bodies_of_nodes(grid.nodes, len(grid.places))
         condition = None
-        if not free_motion(grid.places, supports.fixed, bodies, kind):
+        if not free_motion(grid.places, supports.fixed | self._weak.reached, kind):
             system.balance(grid.places, 0.0, increment)
             condition = condition_number(pattern, pattern.assemble(system.stiffness()))
         self._start(
-            grid.places, bodies, system, supports, pattern, increment=increment, smallest=smallest,
+            grid.places, system, supports, pattern, increment=increment, smallest=smallest,
             tolerance=tolerance, iterations=iterations, linear_solver=linear_solver, log=log, condition=condition,
         )  # fmt: skip
 
@@ -164,8 +176,13 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
 
     def _accept(self, places: np.ndarray, dt: float, end: float) -> None:
         super()._accept(places, dt, end)
+        self._weak.accept(end)
         self._ledger.hourglass = self._system.ghost_energy
         self._carry()
+
+    def _free_motion(self) -> str:
+        held = self._supports.fixed | self._weak.reached
+        return free_motion(self._nodes, held, self.geometry)
 
     def _carry(self) -> None:
         """Let the particles go where the grid is; their velocities are those of the last increment."""

@@ -9,21 +9,24 @@ Exit status: 0; 2 bad input.
 
 import argparse
 
-from studies.options import add_method_options, add_scene_options, asked_scene
+from studies.options import add_json_option, add_method_options, add_scene_options, asked_scene
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Options of `matpoint check`."""
     add_scene_options(parser)
     add_method_options(parser)
+    add_json_option(parser)
 
 
 def execute(options: argparse.Namespace) -> int:
     """Print the plan."""
     scene = asked_scene(options)
     from core_models.walls import check_wall
+    from studies.json_output import json_text
     from studies.methods import METHODS, check_solver, planned_runs
     from studies.output_folder import check_unused
+    from studies.plan import plan_record
     from studies.plan_text import plan_text
 
     if options.out is not None:
@@ -34,5 +37,6 @@ def execute(options: argparse.Namespace) -> int:
         coarsest.setdefault(method, resolution)
     for method, resolution in coarsest.items():
         check_solver(scene, method, resolution, wall, options.threads)
-    print(plan_text(scene, options.methods, options.resolution, options.wall))
+    asked = (scene, options.methods, options.resolution, options.wall)
+    print(json_text(plan_record(*asked)) if options.json else plan_text(*asked))
     return 0

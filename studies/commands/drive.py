@@ -14,7 +14,7 @@ Exit status: 0; 2 bad input; 3 a step that the point cannot follow.
 
 import argparse
 
-from studies.options import add_material_options, number, numbers, positive, whole
+from studies.options import add_json_option, add_material_options, number, numbers, positive, whole
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -56,18 +56,23 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--out", metavar="DIR", help="new or empty folder for card, history, plot and summary"
     )
+    add_json_option(parser)
 
 
 def execute(options: argparse.Namespace) -> int:
     """Drive the point, print, write."""
     from studies.drive_files import check_files, write_files
+    from studies.drive_record import drive_record
     from studies.drive_text import drive_text
     from studies.driving import asked_test, carry_out
+    from studies.json_output import json_text
 
     check_files(options.csv, options.plot, options.out)
     result = carry_out(asked_test(options))
     text = drive_text(result)
-    print(text)
-    for path in write_files(result, text, options.csv, options.plot, options.out):
-        print(path)
+    written = write_files(result, text, options.csv, options.plot, options.out)
+    if options.json:
+        print(json_text(drive_record(result) | {"files": written}))
+    else:
+        print("\n".join([text, *map(str, written)]))
     return 0

@@ -15,7 +15,7 @@ import sys
 
 from core_models.errors import SceneError
 from studies.default_folder import default_folder
-from studies.options import add_method_options, add_scene_options, asked_scene
+from studies.options import add_json_option, add_method_options, add_scene_options, asked_scene
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -30,6 +30,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--resume", metavar="DIR", help="go on with the run in this folder from its last checkpoint"
     )
+    add_json_option(parser)
 
 
 def execute(options: argparse.Namespace) -> int:
@@ -42,7 +43,6 @@ def execute(options: argparse.Namespace) -> int:
     method, resolution = _one(options.methods, "method"), _one(options.resolution, "resolution")
     from studies.checkpointing.interval import read_interval
     from studies.progress import can_show
-    from studies.run_text import run_text
     from studies.running import run
 
     every = options.checkpoint_every
@@ -57,8 +57,20 @@ def execute(options: argparse.Namespace) -> int:
         progress=can_show(sys.stderr),
         interval=None if every is None else read_interval(every),
     )
-    print(f"{run_text(result)}\n\n{out}")
+    _print(result, out, options.json)
     return 0
+
+
+def _print(result, folder: str, as_json: bool) -> None:
+    if as_json:
+        from studies.json_output import json_text
+        from studies.run_record import run_record
+
+        print(json_text({"folder": folder} | run_record(result)))
+        return
+    from studies.run_text import run_text
+
+    print(f"{run_text(result)}\n\n{folder}")
 
 
 def _resume(options: argparse.Namespace) -> int:
@@ -70,7 +82,6 @@ def _resume(options: argparse.Namespace) -> int:
     from studies.checkpointing.interval import read_interval
     from studies.checkpointing.resuming import resume
     from studies.progress import can_show
-    from studies.run_text import run_text
 
     every = options.checkpoint_every
     result = resume(
@@ -78,7 +89,7 @@ def _resume(options: argparse.Namespace) -> int:
         interval=None if every is None else read_interval(every),
         progress=can_show(sys.stderr),
     )
-    print(f"{run_text(result)}\n\n{options.resume}")
+    _print(result, options.resume, options.json)
     return 0
 
 

@@ -18,6 +18,7 @@ from studies.options import Parser
 STUDIES = {
     "verification": "problems with known answers, by both methods",
     "necking": "a bar pulled until it necks, implicitly and explicitly",
+    "necking-cost": "implicit necking: time against degrees of freedom, and beside CalculiX",
     "limit-loads": "slow loads until a body flows, against closed forms, by three methods",
     "experiments": "85 Taylor shots against flow laws and methods",
     "stability": "hard cases: stable, rescued, refused or failed",
@@ -46,7 +47,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         own = studies.add_parser(
             name, help=summary.replace("%", "%%"), formatter_class=argparse.RawDescriptionHelpFormatter
         )
-        own.description, own.epilog = module.__doc__.replace("%", "%%").split("\n\n", 1)
+        own.description, own.epilog = module.__doc__.split("\n\n", 1)
         module.add_options(own)
         own.set_defaults(execute_study=module.execute, known_options=own.option_names)
 

@@ -9,9 +9,11 @@ from studies.experiments.predictions import CARDS, predict
 from studies.experiments.shots import read_shots
 from studies.experiments.tables import sections
 from studies.report.study_page import Report, write_report
+from studies.run_record import to_json
 from studies.study_folder import study_folder
 from studies.sweep.job import COMPLETE, Job
 from studies.sweep.sweep import run_sweep
+from studies.versions import processor, versions
 
 
 @dataclass(frozen=True)
@@ -64,7 +66,7 @@ def compare_experiments(
     only: Callable[[Job], bool] = lambda job: True,
     tell: Callable[[dict[str, Any], int, int], None] = lambda result, done, all_: None,
 ) -> Outcome:
-    """Run all shots and write runs/*.json, tables as CSV, report.html and report.md.
+    """Run all shots and write runs/*.json, results.json, tables as CSV, report.html and report.md.
 
     going_on : `out` is the folder of a study that was stopped; runs in it that are complete are kept.
     scheduler, workers, tell : see `studies.sweep.sweep`. only : which jobs to do.
@@ -75,6 +77,8 @@ def compare_experiments(
     with study_folder(out, settings, going_on) as folder:
         jobs = [job for job in jobs_of(extent) if only(job)]
         results = run_sweep(jobs, folder, scheduler=scheduler, workers=workers, tell=tell)
+        record = {**settings, "results": results, "versions": versions(), "processor": processor()}
+        folder.write_text("results.json", to_json(record))
         remark = write_report(_report(results, extent, quick), folder)
     return Outcome(results, remark)
 

@@ -23,10 +23,8 @@ YOUNG, POISSON, YIELD_STRESS, MODULUS = 200e9, 0.3, 0.2e9, 10e9  # Pa
 RADIUS, LENGTH, SIZE = 2e-3, 6e-3, 1e-3  # m
 AMPLITUDE = 0.01  # of the true strain
 QUARTERS, ROWS = 9, 100  # of the cycle, and rows of each
-TOLERANCE = {
-    IMPLICIT: 0.01,
-    IMPLICIT_POINTS: 0.01,
-}  # % of the yield stress, of the root mean square difference; of the others 3 %
+# Of the root mean square difference, % of the yield stress; of the others 3 %.
+TOLERANCE = {IMPLICIT: 0.01, IMPLICIT_POINTS: 0.01}
 COARSEST = 3.0
 
 

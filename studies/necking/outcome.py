@@ -4,6 +4,7 @@ from studies.bar_necking import at_elongation
 from studies.necking.curves import read_curve
 from studies.necking.scene import STRIP, NeckingScene
 from studies.necking.verdicts import SCALES, Runs, criteria_of, limits_table, shown_name, value_of
+from studies.necking_methods import NeckingRun
 from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
 from studies.verification.variant import FEM, MPM
 
@@ -20,8 +21,8 @@ NECK = {
 """Columns of the table of what happens in the neck: what they are called, and their scale."""
 
 WHOLE = (
-    "peak_force", "elongation_at_peak", "force_at_end", "neck_radius_at_end", "fracture_elongation", "first_failure",
-    "place_of_first_failure",
+    "peak_force", "elongation_at_peak", "force_at_end", "neck_radius_at_end", "fracture_elongation", "load_drop",
+    "first_failure", "place_of_first_failure",
 )  # fmt: skip
 
 
@@ -106,7 +107,7 @@ def _cost(scene: NeckingScene, runs: Runs) -> Table:
         (
             plan.label, runs[plan.name].seconds, runs[plan.name].steps, runs[plan.name].iterations or None,
             runs[plan.name].cuts if plan.increments else None, f"{100.0 * runs[plan.name].kinetic_share:.2g} %",
-            ", ".join(f"{order:.2f}" for order in runs[plan.name].orders),
+            _orders(runs[plan.name]) if plan.increments else "",
         )
         for plan in scene.runs
         if plan.name in runs
@@ -117,6 +118,11 @@ def _cost(scene: NeckingScene, runs: Runs) -> Table:
     total = sum(run.seconds for run in runs.values())
     note = f"Together {total:.0f} s of processor time, compilation among it where there was any."
     return Table("Cost", head, rows, note)
+
+
+def _orders(run: NeckingRun) -> str:
+    shown = ", ".join(f"{order:.2f}" for order in run.orders)
+    return f"{len(run.orders)} of {run.steps + run.cuts} attempts qualify" + (f": {shown}" if shown else "")
 
 
 def _plot(scene: NeckingScene, runs: Runs, column: str, label: str, scale: float) -> Plot:

@@ -17,7 +17,7 @@ from studies.report.convergence_plots import convergence_plots
 from studies.report.difference_maps import difference_maps, difference_table
 from studies.report.field_pictures import field_pictures
 from studies.report.history_plots import energy_plots, history_plots
-from studies.report.over_time import over_time
+from studies.report.over_time import OverTime, over_time
 from studies.report.profile_plots import profile_plots
 from studies.report.study_page import AGREE, APART, NEUTRAL, Report, Section, Verdict
 
@@ -33,8 +33,8 @@ COST = (
 LIMIT = "Limit: extrapolated to infinite resolution by least squares of f₀ + a hᵖ, with its uncertainty."
 
 
-def report_of(comparison: Comparison) -> Report:
-    """The whole report; raises UnsupportedError when matplotlib is missing."""
+def report_of(comparison: Comparison, *, moving: bool = True) -> Report:
+    """The whole report, with pictures over time if `moving`; raises UnsupportedError when matplotlib is missing."""
     scene, bar = comparison.scene, comparison.scene.bar
     laws = (scene.material.update, scene.material.flow, scene.material.eos)
     return Report(
@@ -48,13 +48,13 @@ def report_of(comparison: Comparison) -> Report:
             f"{bar.temperature:g} K",
             *(type(law).__name__ for law in laws if law is not None),
         ),
-        sections=(*(_results(comparison) if comparison.finest else ()), *_accounts(comparison)),
+        sections=(*(_results(comparison, moving) if comparison.finest else ()), *_accounts(comparison)),
         warnings=tuple(f"{run.label}: {run.failure}" for run in comparison.failed),
         footnotes=tuple(_footnotes(comparison)),
     )
 
 
-def _results(comparison: Comparison) -> tuple[Section, ...]:
+def _results(comparison: Comparison, moving: bool) -> tuple[Section, ...]:
     wall = f"Wall {comparison.wall}: {MEANING[comparison.wall]}."
     profiles = f"Edges of the deformed domains, their feet set on z = 0; coarser runs thin. {wall}"
     convergence = (
@@ -62,7 +62,7 @@ def _results(comparison: Comparison) -> tuple[Section, ...]:
         f"grey: values from elsewhere. {wall}"
     )
     heights = "Heights count from the foot: the median over the inner half of its radius."
-    moving = over_time(comparison)
+    frames = over_time(comparison) if moving else OverTime()
     notes = " ".join([LIMIT, heights, *quantity_notes(comparison)])
     return (
         Section("short", "In short", verdicts=tuple(_verdicts(comparison))),
@@ -72,10 +72,10 @@ def _results(comparison: Comparison) -> tuple[Section, ...]:
         Section(
             "time",
             "Over time",
-            remarks=(moving.remark,) if moving.remark else (),
-            controls=moving.player,
-            figures=moving.figures,
-            caption=moving.caption,
+            remarks=(frames.remark,) if frames.remark else (),
+            controls=frames.player,
+            figures=frames.figures,
+            caption=frames.caption,
         ),
         Section("profiles", "Profiles", figures=tuple(profile_plots(comparison)), caption=profiles),
         Section(

@@ -71,6 +71,12 @@ class Report:
     warnings: tuple[str, ...] = ()
     footnotes: tuple[str, ...] = ()
 
+    def _repr_html_(self) -> str:
+        """As a notebook shows it."""
+        from studies.report.document import fragment
+
+        return fragment(self)
+
 
 def write_report(report: Report, folder: OutputFolder) -> str:
     """Write report.html, report.md and a CSV file for each table; returns a sentence if the page could not be made."""

@@ -4,13 +4,14 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from core_models.at_rest import initial_wave_speed
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.driver import drive
 from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.errors import MaterialError, RunFailure
 from core_models.material import Material
 from core_models.paths import principal_stretches, simple_shear, uniaxial_strain
-from core_models.points import MaterialPoints, initial_wave_speed
+from core_models.points import MaterialPoints
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 
 FULL = [[0, 3, 5], [3, 1, 4], [5, 4, 2]]

@@ -9,15 +9,18 @@ from core_models.damage.hancock_mackenzie import HancockMackenzieDamage
 from core_models.damage.johnson_cook import JohnsonCookDamage
 from core_models.damage.sandia import SandiaDamage
 from core_models.driver import drive
+from core_models.elasticity.cubic import CubicElastic
 from core_models.eos.neo_hookean import NeoHookean
 from core_models.erosion.delete import DeletePoint
 from core_models.erosion.no_shear import AllowNoShear
 from core_models.erosion.no_tension import AllowNoTension
 from core_models.erosion.preserve_stress import PreserveStress
 from core_models.erosion.zero_stress import ZeroStress
+from core_models.kinematic_hardening.prager import Prager
 from core_models.laws import damage_increment, eroded_stress
 from core_models.paths import principal_stretches
 from core_models.points import MaterialPoints, PointFailure
+from core_models.yield_condition.drucker_prager import DruckerPrager
 
 COPPER = JohnsonCookDamage(0.54, 4.89, -3.03, 0.014, 1.12, 294.0, 1356.0)
 STEEL = JohnsonCookDamage(0.05, 3.44, -2.12, 0.002, 0.61, 294.0, 1793.0)
@@ -102,6 +105,10 @@ def test_erosion_acts_from_the_step_after_failure(hot_copper):
     assert np.all(carried[1 : failed + 1] > 5e7)
 
 
+ANISOTROPIC = {
+    "elasticity": CubicElastic(168.4e9, 121.4e9, 75.4e9, (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
+    "eos": None,
+}
 DECAYING = [ZeroStress, AllowNoTension, AllowNoShear, DeletePoint]
 
 
@@ -137,16 +144,26 @@ def test_preserved_stress_is_that_of_a_point_that_has_not_failed(hot_copper):
 
 @pytest.mark.usefixtures("interpreted")
 @pytest.mark.parametrize("update", ["hypo", "hyper"])
-def test_a_deleted_point_follows_anything_and_carries_nothing(hot_copper, update):
-    """Even an inverted deformation gradient; neighbours are not touched."""
-    material = hot_copper(update, "jc", erosion=DeletePoint())
+@pytest.mark.parametrize(
+    "laws",
+    [{}, {"kinematic_hardening": Prager(1e9)}, {"yield_condition": DruckerPrager(0.2, 0.1)}, ANISOTROPIC],
+    ids=["radial", "moving", "cone", "anisotropic"],
+)
+def test_a_deleted_point_follows_anything_and_carries_nothing(hot_copper, update, laws):
+    """Even an inverted deformation gradient, with tangents too; neighbours are not touched."""
+    if laws is ANISOTROPIC and update == "hyper":
+        return
+    material = hot_copper(update, "jc", erosion=DeletePoint(), **laws)
     points = MaterialPoints(material, np.ones(2))
-    points.old.damage[0] = 1.0
-    points.deformation_gradient[0] = np.diag([-1.0, 1.0, 1.0])
-    points.deformation_gradient[1] = np.diag([1.001, 1.0, 1.0])
-    points.advance(1e-6)
-    assert not points.new.stress[0].any() and points.new.stress[1, 0] > 1e8
-    assert points.wave_speed[0] < 1e-3 * points.wave_speed[1]
+    stresses, tangents = np.ones((2, 3, 3)), np.ones((2, 9, 9))
+    for step in (points.advance, lambda dt: points.linearise(dt, stresses, tangents)):
+        points.old.damage[0] = 1.0
+        points.deformation_gradient[0] = np.diag([-1.0, 1.0, 1.0])
+        points.deformation_gradient[1] = np.diag([1.001, 1.0, 1.0])
+        step(1e-6)
+        assert not points.new.stress[0].any() and points.new.stress[1, 0] > 1e8
+        assert points.wave_speed[0] < 1e-3 * points.wave_speed[1]
+    assert not stresses[0].any() and not tangents[0].any() and tangents[1].max() > 1e10
     points.accept()
     assert all(np.isfinite(field.array).all() for field in points.fields().values())
     points.old.damage[0] = 0.5

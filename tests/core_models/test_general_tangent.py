@@ -9,6 +9,7 @@ from core_models import points as points_module
 from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.neo_hookean import NeoHookean
+from core_models.errors import UnsupportedError
 from core_models.flow.linear import LinearHardening
 from core_models.kernels import advance_points
 from core_models.kinematic_hardening.chaboche import Chaboche
@@ -129,3 +130,14 @@ def test_back_stresses_turn_with_the_objective_rate(rate, condition):
     hardening = Chaboche((1e8, 1e7), (50.0, 0.0))
     material = replace(soil(HypoelasticPlastic, condition, hardening), objective_rate=rate)
     assert mismatch(material, 0.1 * BEFORE.T, before=0.2) <= 1e-6
+
+
+def test_arrays_that_cannot_be_filled_are_refused():
+    """A copy of a view would be filled and lost: a message says which array to give."""
+    points = MaterialPoints(soil(HypoelasticPlastic, VonMises()), np.ones(2))
+    stresses, tangents = np.empty((2, 3, 3)), np.empty((2, 9, 9))
+    view = np.empty((2, 3, 6))[:, :, ::2]
+    for wrong, other in ((view, tangents), (stresses[:1], tangents), (stresses.astype(np.float32), tangents),
+                         (stresses, tangents[:, :, ::-1])):  # fmt: skip
+        with pytest.raises(UnsupportedError, match=r"give np.empty\(\(2, (3, 3|9, 9)\)\)"):
+            points.linearise(1e-3, wrong, other)

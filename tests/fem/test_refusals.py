@@ -81,6 +81,6 @@ def test_several_bodies_are_refused(elastic):
     """Without contact they would pass through each other."""
     two = join([block([0.0, 0.0], [1.0, 1.0], [1, 1]), block([2.0, 0.0], [3.0, 1.0], [1, 1])])
     with pytest.raises(
-        UnsupportedError, match="2 bodies, between which finite elements have no contact.*use mpm"
+        UnsupportedError, match="2 bodies, between which fem.ExplicitSolver has no contact.*use mpm"
     ):
         ExplicitSolver(two, elastic, **PLANE)

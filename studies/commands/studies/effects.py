@@ -10,11 +10,10 @@ Exit status: 0; 2 bad input; 3 when no run came to an end.
 """
 
 import argparse
-import sys
 from pathlib import Path
 
 from studies.default_folder import default_folder
-from studies.options import add_scene_options, asked_scene, names, positive
+from studies.options import add_json_option, add_scene_options, asked_scene, names, positive
 
 NOTHING = 3
 
@@ -32,32 +31,35 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--out", metavar="DIR", help="new or empty folder (default: results/effects-DATE-TIME)"
     )
+    add_json_option(parser)
 
 
 def execute(options: argparse.Namespace) -> int:
     """Print the decisions, measure, print the changes and where the report is."""
     scene = asked_scene(options)
-    from studies.effects_study.study import compare_effects
+    from studies.effects_study.study import compare_effects, planned
     from studies.report.study_text import table_text
+    from studies.study_output import print_study
+    from studies.tally import Tally
 
     out = Path(options.out or default_folder(f"effects-{scene.name}"))
+    methods = options.methods or ("fem-explicit", "mpm")
+    tally = Tally(sum(len(planned(scene, method, not options.planar)) for method in methods))
     outcome = compare_effects(
         scene,
         out,
-        methods=options.methods or ("fem-explicit", "mpm"),
+        methods=methods,
         resolution=options.resolution,
         wall=options.wall,
         repeats=options.repeats,
         spatial=not options.planar,
-        tell=_tell,
+        tell=lambda switched: tally.tell(_said(switched)),
     )
-    print("\n\n".join(table_text(section.tables[0]) for section in outcome.report.sections[:3]))
-    if outcome.remark:
-        print(f"matpoint: {outcome.remark}", file=sys.stderr)
-    print(f"\n{out / ('report.md' if outcome.remark else 'report.html')}")
+    text = "\n\n".join(table_text(section.tables[0]) for section in outcome.report.sections[:3])
+    print_study(out, text, outcome.remark, as_json=options.json)
     return 0 if any(each.run.values for each in outcome.runs) else NOTHING
 
 
-def _tell(switched) -> None:
-    said = f"{switched.run.seconds:.2f} s" if switched.run.values else switched.run.message[:120]
-    print(f"{switched.method}: {switched.effect} {switched.to} {said}", file=sys.stderr, flush=True)
+def _said(switched) -> str:
+    said = f"{switched.run.seconds:.2f} s" if switched.run.values else switched.run.message
+    return f"{switched.method}: {switched.effect} {switched.to} {said}"

@@ -13,10 +13,12 @@ Exit status: 0; 2 bad input; 3 when some run went wrong.
 
 import argparse
 import sys
+import time
 from pathlib import Path
 
 from studies.default_folder import default_folder
-from studies.options import positive
+from studies.options import add_json_option, positive
+from studies.progress import clock
 
 WRONG = 3
 
@@ -30,6 +32,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--workers", metavar="N", type=positive, help="processes on this machine (default: one a processor)"
     )
+    add_json_option(parser)
     folder = parser.add_mutually_exclusive_group()
     folder.add_argument(
         "--out", metavar="DIR", help="new or empty folder (default: results/experiments-DATE-TIME)"
@@ -42,25 +45,28 @@ def execute(options: argparse.Namespace) -> int:
     from studies.experiments.study import compare_experiments
     from studies.experiments.tables import sections
     from studies.report.study_text import table_text
+    from studies.study_output import print_study
 
     out = Path(options.resume or options.out or default_folder("experiments"))
+    began = time.monotonic()
     outcome = compare_experiments(
         out,
         quick=options.quick,
         going_on=options.resume is not None,
         scheduler=options.scheduler,
         workers=options.workers,
-        tell=_tell,
+        tell=lambda result, done, all_: _tell(result, done, all_, time.monotonic() - began),
     )
     methods = tuple(dict.fromkeys(result["method"] for result in outcome.results if "method" in result))
-    if methods:
-        print("\n\n".join(table_text(each.tables[0]) for each in sections(outcome.results, methods)[:2]))
-    if outcome.remark:
-        print(f"matpoint: {outcome.remark}", file=sys.stderr)
-    print(f"\n{out / ('report.md' if outcome.remark else 'report.html')}")
+    shown = sections(outcome.results, methods)[:2] if methods else ()
+    text = "\n\n".join(table_text(each.tables[0]) for each in shown)
+    print_study(out, text, outcome.remark, as_json=options.json)
     return WRONG if outcome.failed else 0
 
 
-def _tell(result: dict, done: int, all_: int) -> None:
+def _tell(result: dict, done: int, all_: int, passed: float) -> None:
     said = "" if result["status"] == "complete" else f": {result['message'][:120]}"
-    print(f"{done} / {all_}  {result['key']}  {result['status']}{said}", file=sys.stderr, flush=True)
+    left = clock(passed / done * (all_ - done))
+    print(
+        f"[{done}/{all_}, {left} left] {result['key']} {result['status']}{said}", file=sys.stderr, flush=True
+    )

@@ -10,11 +10,10 @@ Exit status: 0 when no cell has failed (a refusal by a typed error is none); 1 w
 """
 
 import argparse
-import sys
 from pathlib import Path
 
 from studies.default_folder import default_folder
-from studies.options import names
+from studies.options import add_json_option, names
 
 SOME_FAILED = 1
 
@@ -29,29 +28,32 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--out", metavar="DIR", help="new or empty folder (default: results/stability-DATE-TIME)"
     )
     folder.add_argument("--resume", metavar="DIR", help="go on with the same study in this folder")
+    add_json_option(parser)
 
 
 def execute(options: argparse.Namespace) -> int:
     """Run the matrix, print it and where the report is."""
     from studies.report.study_text import table_text
-    from studies.stability.study import survey_stability
+    from studies.stability.cases import all_cases
+    from studies.stability.study import VARIANTS, survey_stability
+    from studies.study_output import print_study
+    from studies.tally import Tally
 
     out = Path(options.resume or options.out or default_folder("stability"))
+    tally = Tally(len(options.cases or all_cases()) * len(options.methods or VARIANTS))
     outcome = survey_stability(
         out,
         quick=options.quick,
         cases=options.cases,
         variants=options.methods,
         going_on=options.resume is not None,
-        tell=_tell,
+        tell=lambda cell: tally.tell(_said(cell)),
     )
-    print(table_text(outcome.report.sections[0].tables[0]))
-    if outcome.remark:
-        print(f"matpoint: {outcome.remark}", file=sys.stderr)
-    print(f"\n{out / ('report.md' if outcome.remark else 'report.html')}")
+    matrix = outcome.report.sections[0].tables[0]
+    print_study(out, table_text(matrix), outcome.remark, as_json=options.json)
     return SOME_FAILED if outcome.failed else 0
 
 
-def _tell(cell: dict) -> None:
-    said = f": {cell['why'][:120]}" if cell["why"] else ""
-    print(f"{cell['case']}, {cell['variant']}: {cell['verdict']}{said}", file=sys.stderr, flush=True)
+def _said(cell: dict) -> str:
+    said = f": {cell['why']}" if cell["why"] else ""
+    return f"{cell['case']}, {cell['variant']}: {cell['verdict']}{said}"

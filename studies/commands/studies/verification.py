@@ -13,7 +13,7 @@ import argparse
 from pathlib import Path
 
 from studies.default_folder import default_folder
-from studies.options import names
+from studies.options import add_json_option, names
 
 UNMET = 1
 
@@ -35,21 +35,25 @@ def add_problem_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--out", metavar="DIR", help="new or empty folder for the results (default: results/STUDY-DATE-TIME)"
     )
+    add_json_option(parser)
 
 
 def run_problems(options: argparse.Namespace, study: str) -> int:
     """Run the problems of a study one after the other, print their verdicts and where the report is."""
+    from studies.study_output import print_study
+    from studies.tally import Tally
     from studies.verification.study import STUDIES, verify
     from studies.verification.text import outcome_text
 
     out = Path(options.out or default_folder(study))
-    results = verify(
-        options.only or tuple(STUDIES[study]),
-        options.quick,
-        out,
-        tell=lambda problem, outcome: print(outcome_text(problem, outcome), flush=True),
-        study=study,
-    )
-    page = out / "report.html"
-    print(page if page.exists() else out / "results.json")
+    asked = options.only or tuple(STUDIES[study])
+    tally, told = Tally(len(asked)), []
+
+    def tell(problem, outcome) -> None:
+        told.append(outcome_text(problem, outcome))
+        tally.tell(told[-1].splitlines()[0])
+
+    results = verify(asked, options.quick, out, tell=tell, study=study)
+    remark = "" if (out / "report.html").exists() else results[-1][1].remarks[-1]
+    print_study(out, "\n".join(told), remark, as_json=options.json)
     return 0 if all(criterion.met for _, outcome in results for criterion in outcome.criteria) else UNMET

@@ -13,11 +13,11 @@ Exit status: 0; 2 bad input; 3 when no run came to an end.
 """
 
 import argparse
-import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 from studies.default_folder import default_folder
-from studies.options import names, positive, whole_numbers
+from studies.options import add_json_option, names, positive, whole_numbers
 
 NOTHING = 3
 
@@ -41,17 +41,22 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         "--out", metavar="DIR", help="new or empty folder (default: results/work-precision-DATE-TIME)"
     )
     folder.add_argument("--resume", metavar="DIR", help="go on with the same study in this folder")
+    add_json_option(parser)
 
 
 def execute(options: argparse.Namespace) -> int:
     """Measure, print the tables of times and where the report is."""
     from core_models.walls import check_wall
-    from studies.report.study_text import table_text
-    from studies.work_precision.study import compare_work, find_problem
+    from studies.study_output import print_study
+    from studies.tally import Tally
+    from studies.work_precision.study import compare_work, find_problem, planned
 
     wall = None if options.wall is None else check_wall(options.wall)
     problem = find_problem(options.scene, wall)
     out = Path(options.resume or options.out or default_folder("work-precision"))
+    plan = planned(problem, options.methods, options.resolutions)
+    shared = 0 if options.threads == 1 else len({variant for variant, _ in plan})
+    tally = Tally(len(plan) + shared)
     outcome = compare_work(
         problem,
         out,
@@ -60,20 +65,23 @@ def execute(options: argparse.Namespace) -> int:
         repeats=options.repeats,
         threads=options.threads,
         going_on=options.resume is not None,
-        tell=_tell,
+        tell=lambda run: tally.tell(_said(run)),
     )
-    for section in outcome.report.sections:
-        if section.name.startswith("reach-"):
-            print(f"{section.title}\n{table_text(section.tables[0])}\n")
-        if section.name == "verdict":
-            print("".join(f"{sentence}\n" for sentence in section.remarks))
-    if outcome.remark:
-        print(f"matpoint: {outcome.remark}", file=sys.stderr)
-    print(out / ("report.md" if outcome.remark else "report.html"))
+    print_study(out, "\n\n".join(_texts(outcome)), outcome.remark, as_json=options.json)
     return 0 if any(run.values for run in outcome.runs) else NOTHING
 
 
-def _tell(run) -> None:
-    said = f"{run.seconds:.2f} s" if run.values else run.message[:120]
+def _texts(outcome) -> Iterator[str]:
+    from studies.report.study_text import table_text
+
+    for section in outcome.report.sections:
+        if section.name.startswith("reach-"):
+            yield f"{section.title}\n{table_text(section.tables[0])}"
+        if section.name == "verdict":
+            yield "\n".join(section.remarks)
+
+
+def _said(run) -> str:
+    said = f"{run.seconds:.2f} s" if run.values else run.message
     on = f" on {run.threads} threads" if run.threads > 1 else ""
-    print(f"{run.variant} {run.resolution}{on}: {said}", file=sys.stderr, flush=True)
+    return f"{run.variant} {run.resolution}{on}: {said}"

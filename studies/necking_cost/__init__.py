@@ -1,0 +1,1 @@
+"""What implicit necking costs: time against degrees of freedom, and beside CalculiX."""
