@@ -269,6 +269,12 @@ def back_stress_constants(kinematic_hardening, term):
     """Modulus C [Pa] and recovery gamma [-] of a back stress: d alpha = 2/3 C d e_p - gamma alpha d ep."""
 
 
+@back_stress_constants.register(type(None))
+def _(kinematic_hardening, term):
+    # Never called: compiled code types loops over back stresses also where there are none.
+    return 0.0, 0.0
+
+
 @generic
 def nucleated(damage, plastic_strain, increment):
     """Volume fraction of voids [-] that an increment of plastic strain of the matrix brings, and its slope."""
