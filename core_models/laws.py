@@ -271,8 +271,7 @@ def back_stress_constants(kinematic_hardening, term):
 
 @back_stress_constants.register(type(None))
 def _(kinematic_hardening, term):
-    # Never called: compiled code types loops over back stresses also where there are none.
-    return 0.0, 0.0
+    return 1.0, 0.0  # never asked for: there is no term
 
 
 @generic
