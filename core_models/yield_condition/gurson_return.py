@@ -11,6 +11,7 @@ import math
 from core_models.compilation import beside_kernel, inside_kernel
 from core_models.updates.general_problem import ROUND_OFF, mean_stress, volume_at
 from core_models.yield_condition.gurson_flow import (
+    WEAKEST,
     flowing,
     matrix_strength,
     porosity_of,
@@ -44,7 +45,7 @@ def search(law, model, flow, problem, mises, elastic_bulk):
     bound = _largest_increment(law, model, problem, mises, room)
     now = flowing(model, flow, problem, mises, 0.0, start, 0.0)
     whole = matrix_strength(flow, problem, mises / (3.0 * problem.shear) + abs(room)).stress
-    if max(now.flow, whole) <= ROUND_OFF * (elastic_bulk + problem.shear):
+    if max(now.flow, whole) <= max(WEAKEST, ROUND_OFF * (elastic_bulk + problem.shear)):
         return True, False, now
     guess = _first_guess(law, model, flow, problem, mises, bound)
     has_converged, now = _newton(law, model, flow, problem, mises, room, bound, guess)

@@ -63,8 +63,8 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
     with the condition number of the stiffness of the undeformed body.
 
     Supports hold whole faces of the body that are plane and normal to an axis exactly, others by stiff springs
-    (mpm.implicit.weak_supports). A body force at current positions has no
-    stiffness of its own, so that it costs iterations.
+    (mpm.implicit.weak_supports). A body force at current positions has no stiffness of its own, so that it costs
+    iterations.
     `advance` makes one increment. Raises SceneError, MeshError or UnsupportedError for what cannot be.
     """
 
@@ -182,7 +182,7 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
 
     def _free_motion(self) -> str:
         held = self._supports.fixed | self._weak.reached
-        return free_motion(self._nodes, held, self._bodies, self.geometry)
+        return free_motion(self._nodes, held, self.geometry)
 
     def _carry(self) -> None:
         """Let the particles go where the grid is; their velocities are those of the last increment."""

@@ -31,6 +31,7 @@ PROBLEMS = {
     "cantilever": ("cantilever", "PROBLEM"),
     "two-disks": ("two_disks", "PROBLEM"),
     "plate-impact": ("plate_impact", "PROBLEM"),
+    "sandia-spall": ("sandia_spall", "PROBLEM"),
     "friction-block": ("friction_block", "PROBLEM"),
     "cook-membrane": ("cook_membrane", "PROBLEM"),
     "taylor-elements": ("taylor_elements", "PROBLEM"),

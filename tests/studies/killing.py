@@ -11,6 +11,7 @@ import shutil
 import sys
 import tempfile
 import time
+from contextlib import redirect_stdout
 from multiprocessing.process import BaseProcess
 from pathlib import Path
 
@@ -33,8 +34,7 @@ def start(*arguments: str) -> BaseProcess:
 
 
 def _quietly(arguments: tuple[str, ...]) -> None:
-    with open(os.devnull, "w") as nowhere:
-        sys.stdout = nowhere
+    with open(os.devnull, "w") as nowhere, redirect_stdout(nowhere):
         sys.exit(matpoint(list(arguments)))
 
 
@@ -99,7 +99,8 @@ def main(kills: int) -> None:
     with tempfile.TemporaryDirectory() as room:
         expected = {}
         for method in METHODS:
-            matpoint(list(new_run(method, Path(room, method))))
+            with open(os.devnull, "w") as nowhere, redirect_stdout(nowhere):
+                matpoint(list(new_run(method, Path(room, method))))
             expected[method] = results(Path(room, method))
         while total < kills:
             method = list(METHODS)[runs % len(METHODS)]
