@@ -146,6 +146,13 @@ def fracture_elongation(history: NeckingHistory) -> float | None:
     return float(u[i - 1] + share * (u[i] - u[i - 1]))
 
 
+def load_drop(history: NeckingHistory) -> float:
+    """Elongation [m] at which the force falls most steeply: where a bar with damage tears."""
+    u, force = history.column("elongation"), history.column("force")
+    steepest = int(np.argmin(np.diff(force) / np.diff(u)))
+    return float(0.5 * (u[steepest] + u[steepest + 1]))
+
+
 def first_failure(history: NeckingHistory) -> tuple[float | None, float | None]:
     """Elongation [m] at which a point has failed first, and its distance from the axis over the neck's radius."""
     rows = np.flatnonzero(history.column("failed") > 0.0)
@@ -167,6 +174,7 @@ QUANTITIES = {
     "force_at_end": lambda history: float(history.column("force")[-1]),
     "neck_radius_at_end": lambda history: float(history.column("neck_radius")[-1]),
     "fracture_elongation": fracture_elongation,
+    "load_drop": load_drop,
     "first_failure": lambda history: first_failure(history)[0],
     "place_of_first_failure": lambda history: first_failure(history)[1],
 }

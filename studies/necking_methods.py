@@ -42,10 +42,19 @@ class NeckingRun:
     cuts: int = 0
     orders: tuple[float, ...] = ()
 
+    @property
+    def strained_share(self) -> float:
+        """Share of the shape's area where the plastic strain is more than half the largest: small in shear bands."""
+        x, y = self.shape[..., 0], self.shape[..., 1]
+        areas = 0.5 * np.abs((x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1)).sum(axis=1))
+        return float(areas[self.strains > 0.5 * self.strains.max()].sum() / areas.sum())
+
 
 def make_run(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     """One run of a scene; raises MatpointError for what cannot be, or does not come to its end."""
     material = scene.material if plan.update is None else with_update(scene.material, plan.update)
+    if plan.damage_radius is not None:
+        material = replace(material, damage_radius=plan.damage_radius or None)
     taper = scene.taper if plan.taper is None else plan.taper
     duration = scene.duration if plan.duration is None else plan.duration
     scene = replace(scene, material=material, taper=taper, duration=duration)
@@ -62,9 +71,7 @@ def _mpm_implicit(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     import mpm
 
     lines = [np.linspace(0.0, scene.radius, plan.across + 1), _graded(scene.length, plan.along, plan.grading)]
-    return _static(
-        scene, plan, lambda body, **options: mpm.ImplicitSolver(body, cell_size=lines, **options)
-    )
+    return _static(scene, plan, lambda body, **options: mpm.ImplicitSolver(body, cell_size=lines, **options))
 
 
 def _fem_explicit(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
@@ -80,7 +87,9 @@ def _total_mpm(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     # The grid's nodes lie half a cell off the symmetry plane: a row of them has to lie on the end that is pulled.
     size = scene.length / (plan.along + 0.5)
     return _explicit(
-        scene, plan, lambda body, **options: mpm.Solver(body, cell_size=size, configuration="total", **options)
+        scene,
+        plan,
+        lambda body, **options: mpm.Solver(body, cell_size=size, configuration="total", **options),
     )
 
 
@@ -89,9 +98,7 @@ def _updated_mpm(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     import mpm
 
     size = scene.length / (plan.along + 0.5)
-    return _explicit(
-        scene, plan, lambda body, **options: mpm.Solver(body, cell_size=size, **options), CROWD
-    )
+    return _explicit(scene, plan, lambda body, **options: mpm.Solver(body, cell_size=size, **options), CROWD)
 
 
 CROWD = 2  # elements that particles are seeded from along the axis of a cell: each holds two
@@ -132,7 +139,9 @@ def _explicit(scene: NeckingScene, plan: PlannedRun, make: Callable, crowd: int 
     if plan.periods > 0.0:
         material = _slowed(scene, plan.periods)
     loads = loads_of(scene, lambda _places, t: speed * min(t / start, 1.0))
-    solver = make(body, material=material, loads=loads, geometry=_geometry(scene), **plan.options)
+    solver = make(
+        body, material=material, loads=loads, geometry=_geometry(scene), conduction=plan.conduction, **plan.options
+    )  # fmt: skip
     watch, kinetic = NeckingWatch(solver, scene.body != STRIP), KineticWatch(ELASTIC * scene.duration)
     for row in range(ROWS):
         # Elastic waves run through the bar: a row's force is the mean over the time since the row before.
@@ -154,7 +163,8 @@ def _explicit(scene: NeckingScene, plan: PlannedRun, make: Callable, crowd: int 
 def _slowed(scene: NeckingScene, periods: float) -> Material:
     """The material with its mass scaled by the lowest mode, which a coarse mesh has as well as a fine one."""
     coarse = body_of(scene, PlannedRun("", "", 3, 12))
-    return slow_enough(coarse, scene.material, loads_of(scene, 0.0), scene.duration, periods)
+    loads = loads_of(scene, 0.0)
+    return slow_enough(coarse, scene.material, loads, scene.duration, periods, _geometry(scene))
 
 
 def _shape(solver) -> tuple[np.ndarray, np.ndarray]:

@@ -3,9 +3,10 @@
 import math
 from dataclasses import replace
 
-from core_models.errors import RunFailure
+from core_models.errors import RunFailure, UnsupportedError
 from core_models.loads import Load
 from core_models.material import Material
+from core_models.specific_heat.constant import ConstantSpecificHeat
 from meshes.mesh import Mesh
 
 # Of kinetic energy in what the body has taken up; with 0.5 % a neck is 4 % wider than it is without inertia.
@@ -26,14 +27,22 @@ def slow_enough(
 
     duration : of the loading [s]. geometry : as the solvers take it. The time step grows as the root of the density, so
     that the number of steps is that of `periods` periods of the real body, while rate-dependent laws see the real
-    rates. Only for laws whose stress does not depend on the density.
+    rates. The heat capacity of the volume stays. Only for laws whose stress does not depend on the density;
+    UnsupportedError for a specific heat that varies.
     """
     import fem
 
     solver = fem.ImplicitSolver(mesh, material, geometry=geometry, loads=loads, increment=duration)
     frequency = solver.lowest_frequency()
     factor = duration * frequency / (2.0 * math.pi * periods)
-    return replace(material, density=material.density * factor**2)
+    heat = material.specific_heat
+    if heat is not None:
+        if not isinstance(heat, ConstantSpecificHeat):
+            raise UnsupportedError(
+                f"mass cannot be scaled with the specific heat {type(heat).__name__}: give a constant specific_heat"
+            )
+        heat = ConstantSpecificHeat(heat.value / factor**2)
+    return replace(material, density=material.density * factor**2, specific_heat=heat)
 
 
 class KineticWatch:

@@ -4,6 +4,7 @@ from studies.bar_necking import at_elongation
 from studies.necking.curves import read_curve
 from studies.necking.scene import STRIP, NeckingScene
 from studies.necking.verdicts import SCALES, Runs, criteria_of, limits_table, shown_name, value_of
+from studies.necking_methods import NeckingRun
 from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
 from studies.verification.variant import FEM, MPM
 
@@ -20,8 +21,8 @@ NECK = {
 """Columns of the table of what happens in the neck: what they are called, and their scale."""
 
 WHOLE = (
-    "peak_force", "elongation_at_peak", "force_at_end", "neck_radius_at_end", "fracture_elongation", "first_failure",
-    "place_of_first_failure",
+    "peak_force", "elongation_at_peak", "force_at_end", "neck_radius_at_end", "fracture_elongation", "load_drop",
+    "first_failure", "place_of_first_failure",
 )  # fmt: skip
 
 
@@ -34,7 +35,9 @@ def outcome_of(scene: NeckingScene, runs: Runs, failures: dict[str, str]) -> Out
     ]
     plans = [plan for plan in scene.runs if plan.name in runs]
     outcome.tables = [_quantities(scene, runs), limits_table(scene, runs), _cost(scene, runs)]
-    outcome.tables += [_in_the_neck(scene, plan.label, runs[plan.name]) for plan in plans if _shown(plan, plans)]
+    outcome.tables += [
+        _in_the_neck(scene, plan.label, runs[plan.name]) for plan in plans if _shown(plan, plans)
+    ]
     outcome.plots = [
         _plot(scene, runs, "force", "force [kN]", 1e-3),
         _plot(scene, runs, "neck_radius", "neck radius [mm]", 1e3),
@@ -71,7 +74,9 @@ def _quantities(scene: NeckingScene, runs: Runs) -> Table:
         (label, *(None if row[i] is None else SCALES.get(columns[i][0], (1.0,))[0] * row[i] for i in kept))
         for label, row in values.items()
     ]
-    note = "Elongations are those of one half; force and neck radius at an elongation by linear interpolation."
+    note = (
+        "Elongations are those of one half; force and neck radius at an elongation by linear interpolation."
+    )
     if scene.body == STRIP:
         note += " Of a strip: the force on a quarter of 1 m thickness, and half the width."
     return Table("Quantities", tuple(head), tuple(rows), note)
@@ -83,7 +88,12 @@ def _in_the_neck(scene: NeckingScene, label: str, run) -> Table:
     for u in _marks(scene):
         values = [at_elongation(run.history, name, u) for name in names]
         if None not in values:
-            rows.append((f"{1e3 * u:.3g} mm", *(NECK[name][1] * value for name, value in zip(names, values, strict=True))))
+            rows.append(
+                (
+                    f"{1e3 * u:.3g} mm",
+                    *(NECK[name][1] * value for name, value in zip(names, values, strict=True)),
+                )
+            )
     head = ("elongation", *(NECK[name][0] for name in names))
     note = (
         "Bridgman: from the mean axial stress over the neck's section and the measured profile, the flow stress by his "
@@ -97,7 +107,7 @@ def _cost(scene: NeckingScene, runs: Runs) -> Table:
         (
             plan.label, runs[plan.name].seconds, runs[plan.name].steps, runs[plan.name].iterations or None,
             runs[plan.name].cuts if plan.increments else None, f"{100.0 * runs[plan.name].kinetic_share:.2g} %",
-            ", ".join(f"{order:.2f}" for order in runs[plan.name].orders),
+            _orders(runs[plan.name]) if plan.increments else "",
         )
         for plan in scene.runs
         if plan.name in runs
@@ -108,6 +118,11 @@ def _cost(scene: NeckingScene, runs: Runs) -> Table:
     total = sum(run.seconds for run in runs.values())
     note = f"Together {total:.0f} s of processor time, compilation among it where there was any."
     return Table("Cost", head, rows, note)
+
+
+def _orders(run: NeckingRun) -> str:
+    shown = ", ".join(f"{order:.2f}" for order in run.orders)
+    return f"{len(run.orders)} of {run.steps + run.cuts} attempts qualify" + (f": {shown}" if shown else "")
 
 
 def _plot(scene: NeckingScene, runs: Runs, column: str, label: str, scale: float) -> Plot:

@@ -195,7 +195,9 @@ def _check(element: etree._Element, scene: NeckingScene) -> Check:
         check_attributes(element, ("run", "curve", "quantity", "within", "up_to"))
         curve = choice(element, "curve", tuple(curve.label for curve in scene.curves))
         column = choice(element, "quantity", NeckingHistory.COLUMNS)
-        return Nearness(run, curve, column, required_number(element, "within"), required_number(element, "up_to"))
+        return Nearness(
+            run, curve, column, required_number(element, "within"), required_number(element, "up_to")
+        )
     if element.tag == "newton":
         check_attributes(element, ("run", "least"))
         return NewtonOrder(run, required_number(element, "least"))

@@ -6,7 +6,7 @@ from pathlib import Path
 from core_models.material import Material
 
 ROUND_BAR, STRIP = "round-bar", "strip"
-COUNTS = ("cuts", "kinetic_share")
+COUNTS = ("cuts", "kinetic_share", "strained_share")
 """Quantities of a run that are not of its history."""
 
 
@@ -17,7 +17,8 @@ class PlannedRun:
     name : in the scene. method : of `studies.necking.methods`. across, along : elements, for material points cells, in
     the radius and along the half; grading : size at the neck over that at the end. kind : of the elements.
     increments : of an implicit run. periods : of the lowest natural mode that an explicit one takes, 0 for the real
-    time and density. taper, update, duration : in place of the scene's. options : of the solver.
+    time and density. conduction : of heat, in explicit runs. taper, update, duration, damage_radius : in place of the
+    scene's, damage_radius 0 for local damage. options : of the solver.
     quick : whether `--quick` makes it. note : said of it in the report.
     """
 
@@ -32,6 +33,8 @@ class PlannedRun:
     taper: float | None = None
     update: str | None = None
     duration: float | None = None
+    damage_radius: float | None = None
+    conduction: bool = False
     options: dict[str, str | float] = field(default_factory=dict)
     quick: bool = False
     note: str = ""

@@ -29,7 +29,8 @@ Runs = Mapping[str, NeckingRun]
 SCALES = {
     "force": (1e-3, "kN"), "peak_force": (1e-3, "kN"), "force_at_end": (1e-3, "kN"), "neck_radius": (1e3, "mm"),
     "neck_radius_at_end": (1e3, "mm"), "elongation_at_peak": (1e3, "mm"), "fracture_elongation": (1e3, "mm"),
-    "first_failure": (1e3, "mm"), "temperature": (1.0, "K"), "kinetic_share": (100.0, "%"),
+    "first_failure": (1e3, "mm"), "load_drop": (1e3, "mm"), "temperature": (1.0, "K"),
+    "kinetic_share": (100.0, "%"), "strained_share": (100.0, "%"),
 }  # fmt: skip
 """Quantity: factor from SI to what is shown, and its unit."""
 
