@@ -127,10 +127,11 @@ def assert_on_or_inside(points, before, j0, dt, size):
         assert excess(material.yield_condition, stress, low, porosity) >= -allowed
 
 
-def round_off(points):
-    """What a difference of stresses leaves of an elastic energy [J]."""
+def round_off(points, size):
+    """What differences of stresses leave of an elastic energy, and of the work of a mean stress on a step's size [J]."""
+    bulk, shear = elastic_moduli(points.material.elasticity)
     stress = max(np.abs(state.stress).max() for state in (points.old, points.new))
-    return points.n * 1e-14 * stress * stress / elastic_moduli(points.material.elasticity)[1]
+    return points.n * (1e-14 * stress * stress / shear + 1e-15 * bulk * size)
 
 
 def assert_objective(points, work, turn, dt):
@@ -163,7 +164,7 @@ def lead(points, steps, random):
         dt = max(step.size, 1e-9) / 10.0**step.rate
         try:
             work = points.advance(dt)
-            assert work.plastic >= -round_off(points)
+            assert work.plastic >= -round_off(points, step.size)
             assert_on_or_inside(points, before, np.linalg.det(f0), dt, step.size)
             if points.material.objective_rate is None:
                 assert_objective(points, work, turn, dt)
