@@ -71,9 +71,7 @@ def _mpm_implicit(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     import mpm
 
     lines = [np.linspace(0.0, scene.radius, plan.across + 1), _graded(scene.length, plan.along, plan.grading)]
-    return _static(
-        scene, plan, lambda body, **options: mpm.ImplicitSolver(body, cell_size=lines, **options)
-    )
+    return _static(scene, plan, lambda body, **options: mpm.ImplicitSolver(body, cell_size=lines, **options))
 
 
 def _fem_explicit(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
@@ -89,7 +87,9 @@ def _total_mpm(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     # The grid's nodes lie half a cell off the symmetry plane: a row of them has to lie on the end that is pulled.
     size = scene.length / (plan.along + 0.5)
     return _explicit(
-        scene, plan, lambda body, **options: mpm.Solver(body, cell_size=size, configuration="total", **options)
+        scene,
+        plan,
+        lambda body, **options: mpm.Solver(body, cell_size=size, configuration="total", **options),
     )
 
 
@@ -98,9 +98,7 @@ def _updated_mpm(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     import mpm
 
     size = scene.length / (plan.along + 0.5)
-    return _explicit(
-        scene, plan, lambda body, **options: mpm.Solver(body, cell_size=size, **options), CROWD
-    )
+    return _explicit(scene, plan, lambda body, **options: mpm.Solver(body, cell_size=size, **options), CROWD)
 
 
 CROWD = 2  # elements that particles are seeded from along the axis of a cell: each holds two
@@ -120,7 +118,7 @@ def _static(scene: NeckingScene, plan: PlannedRun, make: Callable) -> NeckingRun
     began = time.process_time()
     solver = make(
         body_of(scene, plan), material=scene.material, loads=loads_of(scene, scene.pull / scene.duration),
-        increment=scene.duration / plan.increments, geometry=_geometry(scene), **plan.options,
+        increment=scene.duration / plan.increments, geometry=_geometry(scene), **_options(plan),
     )  # fmt: skip
     watch = NeckingWatch(solver, scene.body != STRIP)
     while solver.time < scene.duration:
@@ -141,9 +139,7 @@ def _explicit(scene: NeckingScene, plan: PlannedRun, make: Callable, crowd: int 
     if plan.periods > 0.0:
         material = _slowed(scene, plan.periods)
     loads = loads_of(scene, lambda _places, t: speed * min(t / start, 1.0))
-    solver = make(
-        body, material=material, loads=loads, geometry=_geometry(scene), conduction=plan.conduction, **plan.options
-    )  # fmt: skip
+    solver = make(body, material=material, loads=loads, geometry=_geometry(scene), **_options(plan))
     watch, kinetic = NeckingWatch(solver, scene.body != STRIP), KineticWatch(ELASTIC * scene.duration)
     for row in range(ROWS):
         # Elastic waves run through the bar: a row's force is the mean over the time since the row before.
@@ -171,6 +167,10 @@ def _slowed(scene: NeckingScene, periods: float) -> Material:
 
 def _shape(solver) -> tuple[np.ndarray, np.ndarray]:
     return solver.domains(), solver.points.old.equivalent_plastic_strain.copy()
+
+
+def _options(plan: PlannedRun) -> dict[str, Any]:
+    return {**plan.options, "conduction": True} if plan.conduction else dict(plan.options)
 
 
 def _geometry(scene: NeckingScene) -> str:

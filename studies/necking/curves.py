@@ -11,9 +11,7 @@ from studies.necking.scene import NeckingCurve
 
 def read_curve(curve: NeckingCurve, quantity: str) -> tuple[np.ndarray, np.ndarray]:
     """Elongation [m] and a quantity [SI] of a curve, where it has values; SceneError for a column that is not there."""
-    lines = [
-        line for line in curve.path.read_text(encoding="utf-8").splitlines() if not line.startswith("#")
-    ]
+    lines = [line for line in curve.path.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
     rows = list(csv.DictReader(lines))
     column = curve.columns[quantity]
     for name in ("elongation", column):

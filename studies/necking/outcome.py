@@ -35,7 +35,9 @@ def outcome_of(scene: NeckingScene, runs: Runs, failures: dict[str, str]) -> Out
     ]
     plans = [plan for plan in scene.runs if plan.name in runs]
     outcome.tables = [_quantities(scene, runs), limits_table(scene, runs), _cost(scene, runs)]
-    outcome.tables += [_in_the_neck(scene, plan.label, runs[plan.name]) for plan in plans if _shown(plan, plans)]
+    outcome.tables += [
+        _in_the_neck(scene, plan.label, runs[plan.name]) for plan in plans if _shown(plan, plans)
+    ]
     outcome.plots = [
         _plot(scene, runs, "force", "force [kN]", 1e-3),
         _plot(scene, runs, "neck_radius", "neck radius [mm]", 1e3),
@@ -72,7 +74,9 @@ def _quantities(scene: NeckingScene, runs: Runs) -> Table:
         (label, *(None if row[i] is None else SCALES.get(columns[i][0], (1.0,))[0] * row[i] for i in kept))
         for label, row in values.items()
     ]
-    note = "Elongations are those of one half; force and neck radius at an elongation by linear interpolation."
+    note = (
+        "Elongations are those of one half; force and neck radius at an elongation by linear interpolation."
+    )
     if scene.body == STRIP:
         note += " Of a strip: the force on a quarter of 1 m thickness, and half the width."
     return Table("Quantities", tuple(head), tuple(rows), note)
@@ -84,7 +88,8 @@ def _in_the_neck(scene: NeckingScene, label: str, run) -> Table:
     for u in _marks(scene):
         values = [at_elongation(run.history, name, u) for name in names]
         if None not in values:
-            rows.append((f"{1e3 * u:.3g} mm", *(NECK[name][1] * value for name, value in zip(names, values, strict=True))))
+            scaled = [NECK[name][1] * value for name, value in zip(names, values, strict=True)]
+            rows.append((f"{1e3 * u:.3g} mm", *scaled))
     head = ("elongation", *(NECK[name][0] for name in names))
     note = (
         "Bridgman: from the mean axial stress over the neck's section and the measured profile, the flow stress by his "

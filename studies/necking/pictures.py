@@ -1,6 +1,5 @@
 """Final shapes of necked bodies side by side, coloured by plastic strain."""
 
-
 from core_models.errors import UnsupportedError
 from studies.necking.scene import NeckingScene
 from studies.necking.verdicts import Runs
@@ -45,7 +44,9 @@ def draw_shapes(figure, shown: list, highest: float | None = None) -> None:
             )  # fmt: skip
             ax.add_collection(drawn)
         places = MILLIMETRES * run.shape.reshape(-1, 2)
-        ax.set(xlim=(-1.1 * places[:, 0].max(), 1.1 * places[:, 0].max()), ylim=(0.0, 1.02 * places[:, 1].max()))
+        ax.set(
+            xlim=(-1.1 * places[:, 0].max(), 1.1 * places[:, 0].max()), ylim=(0.0, 1.02 * places[:, 1].max())
+        )
         ax.set(aspect="equal")
         ax.set_title(name, fontsize=7, color=INK)
         ax.grid(visible=False)

@@ -31,9 +31,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--quick", action="store_true", help="the scene's quick runs only")
     parser.add_argument("--workers", metavar="N", type=positive, help="processes (default: one a processor)")
     folder = parser.add_mutually_exclusive_group()
-    folder.add_argument(
-        "--out", metavar="DIR", help="new or empty folder (default: results/SCENE-DATE-TIME)"
-    )
+    folder.add_argument("--out", metavar="DIR", help="new or empty folder (default: results/SCENE-DATE-TIME)")
     folder.add_argument("--resume", metavar="DIR", help="go on with the study in this folder")
 
 
