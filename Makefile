@@ -1,5 +1,6 @@
 # make taylor   the main job: the copper cylinder by MPM and by FEM; prints a table and the path of the report
 # make necking  a bar pulled until it necks, by several methods; prints verdicts and the path of the report
+# make gallery  docs/gallery.md and its pictures, drawn anew from the studies, when every number in it holds
 # make test     the tests
 # make setup    only the set-up, which the others do by themselves
 # make lint     style and format of the sources
@@ -10,7 +11,7 @@ EXTRAS ?= dev,view
 VENV := .venv
 READY := $(VENV)/ready
 
-.PHONY: taylor necking test setup lint clean
+.PHONY: taylor necking gallery test setup lint clean
 
 taylor: $(READY)
 	rm -rf results/taylor
@@ -19,6 +20,9 @@ taylor: $(READY)
 necking: $(READY)
 	rm -rf results/necking
 	$(VENV)/bin/matpoint study necking --out results/necking
+
+gallery: $(READY)
+	$(VENV)/bin/python -m studies.gallery docs
 
 test: $(READY)
 	$(VENV)/bin/python -m pytest -n 2 --dist loadfile

@@ -11,6 +11,7 @@ What the points hold beyond what nodes can tell apart, T_p - sum_i N_i T_i, does
 the rate of conduction over a cell, k / (rho c h^2), by which it keeps its heat within the nodes round it.
 """
 
+import logging
 import math
 
 import numpy as np
@@ -21,6 +22,12 @@ from core_models.errors import MaterialError, SceneError
 from core_models.laws import heat_capacity
 from core_models.loads import FixedTemperature, HeatFlux, Load, at_time
 from core_models.material import Material
+from core_models.yield_condition.gurson import Gurson
+from core_models.yield_condition.von_mises import VonMises
+
+LEAST_OF_METALS = 5.0  # W/(m K); alloys of titanium have 6 to 7
+
+log = logging.getLogger(__name__)
 
 
 def missing_tags(material: Material) -> list[str]:
@@ -33,12 +40,28 @@ def missing_tags(material: Material) -> list[str]:
 
 
 def check_conduction(material: Material) -> None:
-    """Refuse a material that cannot conduct heat; MaterialError naming the tags that its card lacks."""
+    """Refuse a material that cannot conduct heat; MaterialError naming the tags that its card lacks.
+
+    Of a metal whose conductivity is none of a metal's it warns.
+    """
     missing = " and ".join(f"<{tag}>" for tag in missing_tags(material))
     if missing:
         raise MaterialError(
             f"{material.name}: conduction needs {missing}, which the card lacks: add it, or turn conduction off"
         )
+    if flows_as_metal(material) and material.thermal_conductivity < LEAST_OF_METALS:
+        log.warning(
+            "%s: a thermal_conductivity of %g W/(m K) is less than that of any metal (%g and more; copper 386): check "
+            "the card",
+            material.name,
+            material.thermal_conductivity,
+            LEAST_OF_METALS,
+        )
+
+
+def flows_as_metal(material: Material) -> bool:
+    """Whether a material yields as metals do, by von Mises' or Gurson's condition."""
+    return isinstance(material.yield_condition, VonMises | Gurson)
 
 
 def thermal_loads(loads: tuple[Load, ...]) -> tuple[list[FixedTemperature], list[HeatFlux]]:

@@ -4,10 +4,10 @@ import math
 
 from core_models.columns import gather, get_point, scatter
 from core_models.compilation import CHUNK, inside_kernel, material_kernel
-from core_models.laws import advance_rows
 from core_models.rows import BLOCK
 from core_models.status import NOT_FINITE, OK
 from core_models.updates.balance import get_balance
+from core_models.updates.interface import advance_rows
 
 WORK, PLASTIC, VISCOUS, SPEED, PRESSURE = 0, 1, 2, 3, 4
 

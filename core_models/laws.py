@@ -7,7 +7,6 @@ A law states what it needs as plain class attributes: `uses_temperature = True` 
 import math
 
 from core_models.dispatch import generic
-from core_models.status import OK
 
 
 @generic
@@ -66,66 +65,6 @@ def under_pressure(flow, density_ratio, pressure, melting):
 @under_pressure.otherwise
 def _(flow, density_ratio, pressure, melting):
     return flow
-
-
-@generic
-def guess_increment(
-    yield_condition, flow, trial, shear_3, stress_before, plastic_strain, hardening_variable, over_dt, temperature,
-):  # fmt: skip
-    """Increment of equivalent plastic strain [-] for `return_to_surface` to begin with, >= 0.
-
-    Parameters
-    ----------
-    trial, stress_before : equivalent stress of the trial and before the step [Pa].
-    shear_3 : three times the shear modulus that the return works against [Pa].
-    plastic_strain, hardening_variable, temperature : state before the step. over_dt : 1 / dt [1/s].
-    """
-
-
-@guess_increment.register(type(None))
-def _(
-    yield_condition, flow, trial, shear_3, stress_before, plastic_strain, hardening_variable, over_dt, temperature,
-):  # fmt: skip
-    return 0.0
-
-
-@generic
-def return_to_surface(
-    yield_condition, flow, guess, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, tolerance,
-):  # fmt: skip
-    """Return an equivalent trial stress to the yield surface, in a straight line of arithmetic as far as that does.
-
-    Parameters
-    ----------
-    guess : of `guess_increment`, which also says what the others are.
-    tolerance : relative, of the consistency condition.
-
-    Returns
-    -------
-    (factor on the trial deviator, equivalent plastic strain increment, flow stress [Pa], hardening variable, status);
-    the status UNSETTLED leaves the point to `search_surface`
-    """
-
-
-@return_to_surface.register(type(None))
-def _(
-    yield_condition, flow, guess, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, tolerance,
-):  # fmt: skip
-    return 1.0, 0.0, 0.0, hardening_variable, OK
-
-
-@generic
-def search_surface(
-    yield_condition, flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, tolerance,
-):  # fmt: skip
-    """What `return_to_surface` leaves with the status UNSETTLED, by iterations; the same results."""
-
-
-@search_surface.register(type(None))
-def _(
-    yield_condition, flow, trial, shear_3, plastic_strain, hardening_variable, over_dt, temperature, tolerance,
-):  # fmt: skip
-    return 1.0, 0.0, 0.0, hardening_variable, OK
 
 
 @generic
@@ -311,54 +250,6 @@ def _(cause, flow, share):
 
 
 @generic
-def advance_rows(update, rows, statuses, count, model, viscosity, dt):
-    """A step of the points that have been brought to the rows of a workspace (core_models.rows).
-
-    Parameters
-    ----------
-    update : the stress update. rows, statuses : of a `Workspace`; state and balance after the step are left in the
-    rows, the status of each point in `statuses`. count : points in the rows. model, viscosity : laws. dt : [s].
-    """
-
-
-@generic
-def predict(update, material, f0, f1, point):
-    """First part of a step at one point: kinematics and the elastic trial, in a straight line as far as that does.
-
-    Parameters
-    ----------
-    update : the stress update. material : `Model` (laws by slot).
-    f0, f1 : deformation gradient before and after the step. point : `PointState` before the step.
-
-    Returns
-    -------
-    (status, `Prediction`, rotation as far as the update has it); the status UNSETTLED leaves the point to
-    `predict_carefully`
-    """
-
-
-@generic
-def predict_carefully(update, material, f0, f1, point):
-    """The same as `predict` for any step: large rotations and those that no point can follow."""
-
-
-@generic
-def complete(update, material, prediction, correction, point):
-    """Last part of a step at one point: what the return to the yield surface makes of the prediction.
-
-    Returns
-    -------
-    (deviatoric stress in the update's measure, its work [J/m^3 of reference volume], isochoric elastic left
-    Cauchy-Green tensor as far as the update has it)
-    """
-
-
-@generic
-def stress_measure(update, volume_ratio):
-    """Reference volumes per unit of volume of the update's stress measure: 1 for Kirchhoff, J for Cauchy."""
-
-
-@generic
 def back_stress_count(kinematic_hardening):
     """How many back stresses a law of kinematic hardening sums up."""
 
@@ -376,6 +267,11 @@ def _(kinematic_hardening):
 @generic
 def back_stress_constants(kinematic_hardening, term):
     """Modulus C [Pa] and recovery gamma [-] of a back stress: d alpha = 2/3 C d e_p - gamma alpha d ep."""
+
+
+@back_stress_constants.register(type(None))
+def _(kinematic_hardening, term):
+    return 1.0, 0.0  # never asked for: there is no term
 
 
 @generic

@@ -9,7 +9,6 @@ from core_models.compatibility import ANISOTROPIC, WHOLE_UPDATES
 from core_models.effects import Effect, material_effects
 from core_models.errors import MaterialError
 from core_models.laws import (
-    advance_rows,
     back_stress_constants,
     damage_increment,
     elastic_moduli,
@@ -19,7 +18,6 @@ from core_models.laws import (
     heated_fraction,
     melting_temperature,
     pressure,
-    return_to_surface,
     shear_modulus,
     shear_stiffness,
     stability_measure,
@@ -35,7 +33,9 @@ from core_models.updates.general import General
 from core_models.updates.general_problem import return_stress
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.updates.interface import advance_rows
 from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
+from core_models.yield_condition.interface import return_to_surface
 from core_models.yield_condition.von_mises import VonMises
 
 SLOTS = {

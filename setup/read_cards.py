@@ -17,6 +17,7 @@ from lxml import etree
 from core_models.cards import load_document, named_children, parse_material
 from core_models.cards.blocks import names_of
 from core_models.cards.models import read_law, read_numbers
+from core_models.conduction import LEAST_OF_METALS
 from core_models.errors import MatpointError
 from core_models.schema import CONSTANTS, ELASTICITY, SLOTS
 
@@ -53,7 +54,10 @@ def fragment(child: etree._Element, root: etree._Element) -> str:
     plain = (*CONSTANTS, *ELASTICITY)
     named_children(root, names_of(plain))
     read_numbers(root, tuple(p for p in plain if p.tag == child.tag), {child.tag: child}, {})
-    return f"<{child.tag}>"
+    remark = ""
+    if child.tag == "thermal_conductivity" and float(child.text) < LEAST_OF_METALS:
+        remark = f": {float(child.text):g} W/(m K), less than that of any metal"
+    return f"<{child.tag}>{remark}"
 
 
 def told(path: Path) -> Iterator[str]:

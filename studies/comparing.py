@@ -1,19 +1,25 @@
 """Running a comparison: every method at every resolution, results.json, report."""
 
+import shutil
 from dataclasses import asdict
 from pathlib import Path
 
-from core_models.errors import UnsupportedError
+from core_models.compilation import source_hash
+from core_models.errors import DiskFull, UnsupportedError
 from core_models.walls import check_wall
+from studies.checkpointing.checkpoint_file import FILE as CHECKPOINT
+from studies.checkpointing.resuming import go_on
 from studies.comparison import Comparison, conclude
+from studies.kept_run import keep_run, kept_run
 from studies.methods import planned_runs
-from studies.output_folder import OutputFolder
+from studies.output_folder import OutputFolder, ResumedFolder
 from studies.report.comparison_report import report_of
 from studies.report.study_page import write_report
 from studies.run_record import run_entry, to_json
 from studies.run_result import RunResult
 from studies.running import simulate
 from studies.scene import Scene
+from studies.study_folder import study_folder
 from studies.versions import processor, versions
 
 
@@ -26,19 +32,26 @@ def compare(
     threads: int = 1,
     out: Path | str | None = None,
     progress: bool = False,
+    going_on: bool = False,
 ) -> Comparison:
     """Run a scene by every method at every resolution under one wall and compare.
 
     resolutions: elements or cells across the radius (default: the scene's own for each method), each run once;
     out: folder for results.json, report.html, report.md, tables as CSV and one subfolder per run (default: nothing is
-    written). A run that goes wrong is recorded with its message and does not stop the others.
+    written). A run that goes wrong is recorded with its message and does not stop the others. going_on: `out` is the
+    folder of the same comparison, which was stopped: complete runs in it are kept, one that was stopped goes on from
+    its checkpoint.
     Raises SceneError, MeshError, OutputError before anything is written.
     """
     wall = check_wall(wall or scene.wall)
     plan = planned_runs(scene, methods, resolutions)
     if out is None:
         return conclude(scene, wall, [_one(scene, *job, wall, threads, None, progress) for job in plan])
-    with OutputFolder(out) as folder:
+    settings = {
+        "study": "comparison", "scene": scene.name, "wall": wall, "runs": plan, "threads": threads,
+        "sources": source_hash(),
+    }  # fmt: skip
+    with study_folder(out, settings, going_on) as folder:
         runs = [_one(scene, *job, wall, threads, folder, progress) for job in plan]
         comparison = conclude(scene, wall, runs)
         folder.write_text("results.json", to_json(results(comparison)))
@@ -96,5 +109,24 @@ def _one(
     options = {"wall": wall, "threads": threads, "progress": progress}
     if folder is None:
         return simulate(scene, method, resolution, **options)
-    with folder.subfolder(f"{method.replace(':', '-')}-{resolution}") as own:
-        return simulate(scene, method, resolution, folder=own, **options)
+    name = f"{method.replace(':', '-')}-{resolution}"
+    before = folder.path / name
+    done = kept_run(before, scene, method, resolution, wall, threads)
+    if done is not None:
+        return done
+    if (before / CHECKPOINT).exists():
+        with ResumedFolder(before) as own:
+            return _kept(go_on(own, progress=progress), own)
+    if before.exists():
+        shutil.rmtree(before)
+    with folder.subfolder(name) as own:
+        return _kept(simulate(scene, method, resolution, folder=own, **options), own)
+
+
+def _kept(result: RunResult, folder: OutputFolder) -> RunResult:
+    if result.failure is None:
+        try:
+            keep_run(result, folder)
+        except DiskFull as failure:
+            result.failure = failure
+    return result

@@ -1,12 +1,13 @@
 """The material laws explained: from their docstrings and the card schema."""
 
+import difflib
 import inspect
 from collections.abc import Iterator
 
 from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.errors import SceneError
 from core_models.melting.constant import ConstantMelting
-from core_models.names import suggestion
+from core_models.names import ALIKE
 from core_models.schema import CONSTANTS, ELASTICITY, SLOTS, ModelSchema, SlotSchema
 from core_models.specific_heat.constant import ConstantSpecificHeat
 from studies.text_table import aligned
@@ -39,17 +40,45 @@ def model_list() -> str:
 
 
 def find_models(name: str | None = None) -> list[tuple[str, ModelSchema]]:
-    """Slots and schemas of all laws, or of those of a card type or class; SceneError naming the nearest one."""
+    """Slots and schemas of all laws, or of those that a name means: a card type or class, its initials or beginning as
+    in ptw or mts, or a part of it as in drucker; SceneError naming the nearest one.
+    """
     known = [(slot.slot, model) for slot, model in _models()] + list(_plain_models())
-    found = [each for each in known if name is None or name in (*each[1].types, each[1].law.__name__)]
-    if not found:
-        valid = {word for _, model in known for word in (*model.types, model.law.__name__)}
-        raise SceneError(f"no law '{name}'; {suggestion(name, valid)}")
-    return found
+    if name is None:
+        return known
+    for means in (_is_name, _is_short_name, _is_part):
+        found = [each for each in known if means(_bare(name), each[1])]
+        if found:
+            return found
+    words = {_bare(word): word for _, model in known for word in _names(model)}
+    near = [words[word] for word in difflib.get_close_matches(_bare(name), words, n=3, cutoff=ALIKE)]
+    guess = f"did you mean {' or '.join(repr(word) for word in near)}? " if near else ""
+    raise SceneError(f"no law '{name}'; {guess}`matpoint models` lists all")
+
+
+def _names(model: ModelSchema) -> tuple[str, ...]:
+    return (*model.types, model.law.__name__)
+
+
+def _bare(name: str) -> str:
+    return name.replace("_", "").replace("-", "").replace(" ", "").lower()
+
+
+def _is_name(name: str, model: ModelSchema) -> bool:
+    return name in map(_bare, _names(model))
+
+
+def _is_short_name(name: str, model: ModelSchema) -> bool:
+    initials = "".join(letter for letter in model.law.__name__ if letter.isupper()).lower()
+    return name == initials or any(name == _bare(word.split("_")[0]) for word in model.types)
+
+
+def _is_part(name: str, model: ModelSchema) -> bool:
+    return len(name) > 2 and any(name in _bare(word) for word in _names(model))
 
 
 def model_text(name: str) -> str:
-    """Everything about the laws of that card type or class; raises SceneError naming the nearest one."""
+    """Everything about the laws that a name means, see `find_models`; raises SceneError naming the nearest one."""
     tags = {slot.slot: slot for slot in SLOTS}
     return "\n\n".join(
         _explained(tags[slot], model) if model.types else _told(slot, model, "plain tags")

@@ -55,8 +55,8 @@ def _check_range(element: etree._Element, number: float, parameter: Parameter) -
     if number not in parameter.range:
         raise refusal(
             element,
-            f"<{element.tag}> is {number!r} {parameter.unit}, out of its range",
-            f"give {_wanted(parameter.range)} {parameter.unit}",
+            f"<{element.tag}> is {number!r}{parameter.said_unit}, out of its range",
+            f"give {_wanted(parameter.range)}{parameter.said_unit}",
         )
     if parameter.whole and not number.is_integer():
         raise refusal(element, f"<{element.tag}> has {number!r}", "give whole numbers")

@@ -1,5 +1,6 @@
 """Johnson-Cook damage."""
 
+import math
 from typing import NamedTuple
 
 from core_models.elementary import exponential, logarithm
@@ -35,12 +36,16 @@ class JohnsonCookDamage(NamedTuple):
 
     def caution(self) -> str:
         """What a user of these numbers should know; empty if nothing."""
-        if self.D1 + self.D2 * exponential(self.D3 * LARGEST_TRIAXIALITY) < 0.0:
-            return (
-                f"the failure strain turns negative below a triaxiality of {LARGEST_TRIAXIALITY:g}: "
-                f"there it is {SMALLEST_FAILURE_STRAIN:g}"
-            )
-        return ""
+        low, high = (
+            self.D1 + self.D2 * exponential(self.D3 * s) for s in (-LARGEST_TRIAXIALITY, LARGEST_TRIAXIALITY)
+        )
+        if min(low, high) >= 0.0:
+            return ""
+        where = "at every triaxiality"
+        if max(low, high) > 0.0:
+            side = "above" if high < low else "below"
+            where = f"{side} a triaxiality of {math.log(-self.D1 / self.D2) / self.D3:.4g}"
+        return f"the failure strain turns negative {where}: there it is {SMALLEST_FAILURE_STRAIN:g}"
 
 
 SMALLEST_FAILURE_STRAIN = 1e-3

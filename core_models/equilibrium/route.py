@@ -9,8 +9,8 @@ from core_models.equilibrium.newton import Attempt, Newton
 from core_models.equilibrium.path import PathNewton
 
 # Gauss-Legendre on [0, 1]: the displacement that prescribed velocities add up to within an increment.
-_TIMES = (0.5 - math.sqrt(0.15), 0.5, 0.5 + math.sqrt(0.15))
-_SHARES = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
+TIMES = (0.5 - math.sqrt(0.15), 0.5, 0.5 + math.sqrt(0.15))
+SHARES = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
 
 
 class Held(Protocol):
@@ -67,7 +67,7 @@ class TimeRoute:
     def _prescribed(self, dt: float) -> np.ndarray:
         """Displacements (n, d) [m] of the supports within the next dt [s]; 0 for free components."""
         supports, total = self._supports, np.zeros_like(self._supports.given)
-        for place, share in zip(_TIMES, _SHARES, strict=True):
+        for place, share in zip(TIMES, SHARES, strict=True):
             supports.move_to(self.load_time + place * dt)
             total += share * dt * supports.given
         return np.where(supports.fixed, total, 0.0)

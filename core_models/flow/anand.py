@@ -24,7 +24,7 @@ class Anand(NamedTuple):
     s follows its equation exactly over a step of constant rate and temperature. Below 1e-12 /s sigma_y is a straight
     line in the rate, and s* is that at 1e-12 /s.
     Source: Anand, Int. J. Plasticity 1 (1985) 213; Brown, Kim & Anand, Int. J. Plasticity 5 (1989) 95; constants of
-    solders: Wang, Cheng, Becker & Wilde, J. Appl. Mech. 68 (2001) 417.
+    solders: Wang, Cheng, Becker & Wilde, J. Electron. Packag. 123 (2001) 247.
     """
 
     s_0: float

@@ -29,7 +29,7 @@ def _range_fault(law: tuple, parameter: Parameter) -> str:
             return f"{parameter.field} = {number!r} is no number: give {parameter.help} in {parameter.unit}"
         if number not in parameter.range:
             wanted = f"give a value {parameter.range}"
-            return f"{parameter.field} = {number!r} {parameter.unit} is out of its range: {wanted}"
+            return f"{parameter.field} = {number!r}{parameter.said_unit} is out of its range: {wanted}"
     return ""
 
 

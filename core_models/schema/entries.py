@@ -58,6 +58,11 @@ class Parameter:
         return self.feeds or self.tag
 
     @property
+    def said_unit(self) -> str:
+        """The unit after a number, nothing for a pure number."""
+        return "" if self.unit == "-" else f" {self.unit}"
+
+    @property
     def requirement(self) -> str:
         """What happens when the tag is left out, in words."""
         if self.default is not None:

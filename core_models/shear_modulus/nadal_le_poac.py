@@ -35,12 +35,14 @@ class NadalLePoac(NamedTuple):
 
 
 SOFTEST = 1e-6
+LOWEST_MELTING = 1e-3  # K, of a body that tension has brought to melt at 0
 BOLTZMANN = 1.380649e-23  # J/K
 ATOMIC_MASS = 1.66053906660e-27  # kg
 
 
 @shear_modulus.register(NadalLePoac)
 def _(law, density_ratio, temperature, pressure, melting):
+    melting = max(melting, LOWEST_MELTING)
     t = temperature / melting
     left = 1.0 + law.zeta - t
     is_solid = left > 0.0

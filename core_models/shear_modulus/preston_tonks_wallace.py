@@ -27,10 +27,12 @@ class PrestonShearModulus(NamedTuple):
 
 
 SOFTEST = 1e-6
+LOWEST_MELTING = 1e-3  # K, of a body that tension has brought to melt at 0
 
 
 @shear_modulus.register(PrestonShearModulus)
 def _(law, density_ratio, temperature, pressure, melting):
+    melting = max(melting, LOWEST_MELTING)
     stretch = power(density_ratio, -1.0 / 3.0)
     stiffening = law.slope_mu_p_over_mu0 * pressure * stretch
     cold = law.mu_0 * max(1.0 + stiffening, SOFTEST)

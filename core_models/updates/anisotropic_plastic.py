@@ -7,7 +7,7 @@ from core_models.bulk_viscosity import viscous_pressure
 from core_models.columns import get_point, put_point
 from core_models.compilation import inside_kernel
 from core_models.elasticity.stiffness import largest_modulus, stressed
-from core_models.laws import advance_rows, elastic_moduli, eroded_stress, is_out, stiffness
+from core_models.laws import elastic_moduli, eroded_stress, is_out, stiffness
 from core_models.quaternions import rotation_matrix, rotation_vector, turned
 from core_models.rotation import rotation_increment
 from core_models.rows import F0, F1, LENGTH, ROTATION_1, get, get_tensor, put_vector
@@ -38,6 +38,7 @@ from core_models.updates.balance import Balance, damaged, heated, leave_behind, 
 from core_models.updates.conditions import flow_before
 from core_models.updates.corotation import stretching
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic, unrotated
+from core_models.updates.interface import advance_rows
 from core_models.updates.prediction import NO_STRESS, has_no_strength
 
 

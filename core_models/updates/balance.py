@@ -7,7 +7,6 @@ from core_models.bulk_viscosity import viscous_pressure
 from core_models.columns import put_point
 from core_models.compilation import inside_kernel
 from core_models.laws import (
-    complete,
     damage_after,
     damage_increment,
     elastic_moduli,
@@ -15,7 +14,6 @@ from core_models.laws import (
     heat_capacity,
     heated_fraction,
     pressure,
-    stress_measure,
     thermal_volume,
     volume_warming,
 )
@@ -23,6 +21,7 @@ from core_models.rows import BALANCE, ROTATION_1, get, put, put_vector
 from core_models.state import PointState
 from core_models.tensors import mean, plus_isotropic, scaled
 from core_models.updates.conditions import shear_before
+from core_models.updates.interface import complete, stress_measure
 from core_models.updates.prediction import NO_STRESS
 
 FOUR_THIRDS = 4.0 / 3.0

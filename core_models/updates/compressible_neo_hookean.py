@@ -6,7 +6,7 @@ from typing import NamedTuple
 from core_models.bulk_viscosity import viscous_pressure
 from core_models.compilation import inside_kernel
 from core_models.elementary import logarithm
-from core_models.laws import advance_rows, elastic_moduli
+from core_models.laws import elastic_moduli
 from core_models.rows import F0, F1, LENGTH, STRESS, get, get_tensor, put_symmetric
 from core_models.status import INVERTED, OK
 from core_models.tensors import (
@@ -21,6 +21,7 @@ from core_models.tensors import (
     trace,
 )
 from core_models.updates.balance import Balance, put_balance
+from core_models.updates.interface import advance_rows
 
 TWO_THIRDS = 2.0 / 3.0
 

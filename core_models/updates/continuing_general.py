@@ -9,14 +9,7 @@ import math
 from core_models.compilation import beside_kernel, inside_kernel
 from core_models.dispatch import generic
 from core_models.flow.continued import ContinuedFlow
-from core_models.laws import (
-    elastic_moduli,
-    heat_capacity,
-    heated_fraction,
-    predict_carefully,
-    stiffness,
-    stress_measure,
-)
+from core_models.laws import elastic_moduli, heat_capacity, heated_fraction, stiffness
 from core_models.principal_axes import principal
 from core_models.quaternions import quaternion, rotation_matrix
 from core_models.rows import F0, get_tensor
@@ -40,6 +33,7 @@ from core_models.updates.continuing_tangent import continue_point, continued_har
 from core_models.updates.general import General, Step, posed
 from core_models.updates.general_problem import ELASTIC, mean_stress, return_stress, unchanged
 from core_models.updates.general_tangent import linearise_point
+from core_models.updates.interface import predict_carefully, stress_measure
 from core_models.updates.prediction import NO_STRESS, has_no_strength
 from core_models.yield_condition.drucker_prager import DruckerPrager
 from core_models.yield_condition.gurson import Gurson

@@ -7,20 +7,14 @@ smallest rate dependence, and takes the heat of the plastic work in.
 from core_models.columns import gather, get_point
 from core_models.compilation import CHUNK, beside_kernel, inside_kernel, material_kernel
 from core_models.dispatch import generic
-from core_models.laws import (
-    evolve_hardening,
-    flow_stress,
-    heat_capacity,
-    heated_fraction,
-    predict_carefully,
-    stress_measure,
-)
+from core_models.laws import evolve_hardening, flow_stress, heat_capacity, heated_fraction
 from core_models.rows import BLOCK, F0, get_tensor
 from core_models.updates import hyperelastic_tangent, hypoelastic_tangent  # noqa: F401
 from core_models.updates.conditions import flow_before
 from core_models.updates.elastoplastic_tangent import linearise_point
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.updates.interface import predict_carefully, stress_measure
 from core_models.updates.prediction import Correction, has_no_strength
 
 YIELDING = 1.0 - 1e-6  # of the flow stress without rate, from which a point is taken to flow on

@@ -6,10 +6,11 @@ points and then carefully for those which that leaves.
 
 from core_models.columns import get_point, put_point
 from core_models.compilation import inside_kernel
-from core_models.laws import is_out, predict, predict_carefully
+from core_models.laws import is_out
 from core_models.rows import F0, F1, GUESS, LENGTH, ROTATION_1, get, get_tensor, put, put_vector
 from core_models.status import OK, UNSETTLED
 from core_models.updates.balance import complete_point, left_behind, put_balance
+from core_models.updates.interface import predict, predict_carefully
 from core_models.updates.prediction import (
     correct,
     get_correction,
@@ -25,7 +26,7 @@ STRAIGHT_ATTEMPTS = 3  # Newton steps of all points of a block at once, before s
 
 @inside_kernel
 def advance_elastoplastic(update, rows, statuses, count, model, viscosity, dt):
-    """What `advance_rows` (core_models.laws) does for an elastic-plastic update."""
+    """What `advance_rows` (core_models.updates.interface) does for an elastic-plastic update."""
     predict_rows(rows, statuses, count, model)
     correct_rows(rows, statuses, count, model, 1.0 / dt)
     complete_rows(rows, statuses, count, model, viscosity, dt)

@@ -3,13 +3,14 @@
 from core_models.columns import get_point, put_point
 from core_models.compilation import inside_kernel
 from core_models.dispatch import generic
-from core_models.laws import eroded_stress, evolve_hardening, flow_stress, is_out, stress_measure
+from core_models.laws import eroded_stress, evolve_hardening, flow_stress, is_out
 from core_models.rows import F0, F1, LENGTH, get, get_tensor
 from core_models.status import OK
 from core_models.tensors import determinant, inverse, mean, plus, plus_isotropic, scaled
 from core_models.updates.balance import cold_pressure, complete_point, leave_behind, put_balance
 from core_models.updates.conditions import flow_before
 from core_models.updates.elastoplastic import correct_rows, predict_rows
+from core_models.updates.interface import stress_measure
 from core_models.updates.prediction import NO_STRESS, Correction, get_correction, get_prediction
 from core_models.updates.tangent import direction, put_change, put_nothing, put_stress
 
@@ -31,12 +32,12 @@ def trial_change(update, motion, towards, prediction):
 
 @generic
 def work_change(update, prediction, correction, prediction_change, correction_change):
-    """Change of the work that `complete` (core_models.laws) gives [J/m^3]."""
+    """Change of the work that `complete` (core_models.updates.interface) gives [J/m^3]."""
 
 
 @generic
 def measure_change(update, volume_ratio_change):
-    """Change of `stress_measure` (core_models.laws) with J."""
+    """Change of `stress_measure` (core_models.updates.interface) with J."""
 
 
 @generic

@@ -4,12 +4,12 @@ import math
 from typing import NamedTuple
 
 from core_models.compilation import inside_kernel
-from core_models.laws import advance_rows
 from core_models.rows import F0, F1, LENGTH, STRESS, get, get_tensor, put_symmetric
 from core_models.status import INVERTED, OK
 from core_models.tensors import plus, scaled
 from core_models.updates.balance import put_balance
 from core_models.updates.compressible_neo_hookean import Deformed, balance, deformed
+from core_models.updates.interface import advance_rows
 
 
 class FibreReinforced(NamedTuple):

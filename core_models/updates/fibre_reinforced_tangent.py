@@ -1,7 +1,7 @@
 """Linearisation of fibre-reinforced neo-Hookean elasticity."""
 
 from core_models.compilation import inside_kernel
-from core_models.laws import advance_rows, elastic_moduli
+from core_models.laws import elastic_moduli
 from core_models.rows import F1, STRESS, get_symmetric, get_tensor
 from core_models.status import OK
 from core_models.tensors import (
@@ -15,6 +15,7 @@ from core_models.tensors import (
 )
 from core_models.updates.compressible_neo_hookean import TWO_THIRDS
 from core_models.updates.fibre_reinforced import FibreReinforced, dyad, stretched
+from core_models.updates.interface import advance_rows
 from core_models.updates.tangent import direction, linearise_rows, put_change, put_stress, transported
 
 

@@ -15,14 +15,11 @@ from core_models.compilation import inside_kernel
 from core_models.dispatch import generic
 from core_models.elementary import exponential, logarithm
 from core_models.laws import (
-    advance_rows,
     damage_of_porosity,
     elastic_moduli,
     eroded_stress,
     is_out,
-    predict_carefully,
     pressure,
-    stress_measure,
     thermal_volume,
 )
 from core_models.rows import (
@@ -64,6 +61,7 @@ from core_models.updates.general_problem import (
 )
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic, unimodular_mean
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
+from core_models.updates.interface import advance_rows, predict_carefully, stress_measure
 from core_models.updates.prediction import NO_STRESS, Prediction, has_no_strength, put_prediction
 from core_models.updates.turning import step_rotation
 from core_models.yield_condition import (  # noqa: F401

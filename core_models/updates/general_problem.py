@@ -9,14 +9,15 @@ or Kirchhoff), to the stress on the yield surface:
 import math
 from typing import NamedTuple
 
-from core_models.compilation import inside_kernel
+from core_models.compilation import beside_kernel, inside_kernel
 from core_models.dispatch import generic
 from core_models.elementary import exponential
 from core_models.laws import evolve_hardening, flow_stress, pressure
 from core_models.status import NOT_CONVERGED, OK
 from core_models.tensors import contract
 
-STEPS_TO_A_STRESS = 50
+STEPS_TO_A_STRESS = 80
+FARTHEST = 0.7  # ln J_e within which every mean stress of a solid is looked for
 ELASTIC = 0
 ROUND_OFF = 1e-15
 NO_STRESS = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
@@ -101,15 +102,22 @@ def mean_stress(eos, problem, volume):
     return problem.to_measure * stress, problem.to_measure * ratio * slope
 
 
-@inside_kernel
+@beside_kernel
 def volume_at(eos, problem, stress, scale):
-    """ln J_e where the mean stress is `stress`, by Newton steps; with the mean stress there and its slope."""
+    """ln J_e where the mean stress is `stress`, by Newton steps in a bracket; the mean stress there, its slope."""
+    low, high = min(-FARTHEST, problem.volume), max(FARTHEST, problem.volume)
     volume = problem.volume
     found, bulk = mean_stress(eos, problem, volume)
     for _step in range(STEPS_TO_A_STRESS):
-        if abs(found - stress) <= scale or not bulk > 0.0:
+        if abs(found - stress) <= scale:
             break
-        volume -= (found - stress) / bulk
+        if found < stress:
+            low = volume
+        else:
+            high = volume
+        volume = volume - (found - stress) / bulk if bulk > 0.0 else high
+        if not low < volume < high:
+            volume = 0.5 * (low + high)
         found, bulk = mean_stress(eos, problem, volume)
     return volume, found, bulk
 

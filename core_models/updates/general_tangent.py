@@ -2,7 +2,7 @@
 
 from core_models.compilation import inside_kernel
 from core_models.dispatch import generic
-from core_models.laws import eroded_stress, is_out, stress_measure
+from core_models.laws import eroded_stress, is_out
 from core_models.rotation import asymmetry
 from core_models.rows import F0, F1, get_tensor
 from core_models.status import OK
@@ -26,6 +26,7 @@ from core_models.updates.general_problem import return_change
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.updates.hypoelastic_tangent import strain_change
+from core_models.updates.interface import stress_measure
 from core_models.updates.prediction import NO_STRESS, has_no_strength
 from core_models.updates.tangent import direction, linearise_rows, put_change, put_nothing, put_stress
 from core_models.updates.turning import polar

@@ -3,14 +3,7 @@
 from typing import NamedTuple
 
 from core_models.compilation import inside_kernel
-from core_models.laws import (
-    advance_rows,
-    complete,
-    is_beyond_eos,
-    predict,
-    predict_carefully,
-    stress_measure,
-)
+from core_models.laws import is_beyond_eos
 from core_models.quaternions import quaternion, rotation_matrix, rotation_vector, turned
 from core_models.rotation import rotation_increment, small_rotation_increment
 from core_models.status import BEYOND_EOS, INVERTED, OK, UNSETTLED
@@ -28,6 +21,7 @@ from core_models.tensors import (
 from core_models.updates.conditions import shear_before
 from core_models.updates.corotation import corotated
 from core_models.updates.elastoplastic import advance_elastoplastic
+from core_models.updates.interface import advance_rows, complete, predict, predict_carefully, stress_measure
 from core_models.updates.prediction import NO_PREDICTION, Prediction
 
 

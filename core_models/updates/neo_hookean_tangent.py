@@ -1,7 +1,7 @@
 """Linearisation of compressible neo-Hookean elasticity."""
 
 from core_models.compilation import inside_kernel
-from core_models.laws import advance_rows, elastic_moduli
+from core_models.laws import elastic_moduli
 from core_models.rows import F1, STRESS, get_symmetric, get_tensor
 from core_models.status import OK
 from core_models.tensors import (
@@ -13,6 +13,7 @@ from core_models.tensors import (
     symmetric_part,
 )
 from core_models.updates.compressible_neo_hookean import TWO_THIRDS, CompressibleNeoHookean
+from core_models.updates.interface import advance_rows
 from core_models.updates.tangent import direction, linearise_rows, put_change, put_stress, transported
 
 

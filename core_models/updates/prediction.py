@@ -3,14 +3,10 @@
 from typing import NamedTuple
 
 from core_models.compilation import inside_kernel
-from core_models.laws import (
-    guess_increment,
-    return_to_surface,
-    search_surface,
-)
 from core_models.rows import CORRECTION, PREDICTION, get, get_symmetric, put, put_symmetric
 from core_models.status import OK
 from core_models.updates.conditions import carried_shear, flow_before, melting_before
+from core_models.yield_condition.interface import guess_increment, return_to_surface, search_surface
 
 NO_STRESS = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 from core_models.compilation import inside_kernel
 from core_models.elasticity.stiffness import largest_modulus, stressed
-from core_models.laws import advance_rows, stiffness
+from core_models.laws import stiffness
 from core_models.rows import F0, F1, LENGTH, STRESS, get, get_tensor, put_symmetric
 from core_models.status import INVERTED, OK
 from core_models.tensors import (
@@ -23,6 +23,7 @@ from core_models.tensors import (
 )
 from core_models.updates.balance import put_balance
 from core_models.updates.compressible_neo_hookean import TWO_THIRDS, Deformed, balance
+from core_models.updates.interface import advance_rows
 
 
 class StVenantKirchhoff(NamedTuple):

@@ -2,7 +2,7 @@
 
 from core_models.compilation import inside_kernel
 from core_models.elasticity.stiffness import stressed
-from core_models.laws import advance_rows, stiffness
+from core_models.laws import stiffness
 from core_models.rows import F1, STRESS, get_symmetric, get_tensor
 from core_models.status import OK
 from core_models.tensors import (
@@ -15,6 +15,7 @@ from core_models.tensors import (
     symmetric_part,
     transposed_product,
 )
+from core_models.updates.interface import advance_rows
 from core_models.updates.st_venant_kirchhoff import StVenantKirchhoff
 from core_models.updates.tangent import direction, linearise_rows, put_change, put_stress, transported
 

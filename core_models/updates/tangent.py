@@ -27,7 +27,8 @@ def linearise_rows(update, rows, statuses, count, model, dt, start, stresses, ta
 
     Parameters
     ----------
-    update, rows, statuses, count, model, dt : see `advance_rows` (core_models.laws). start : the first point.
+    update, rows, statuses, count, model, dt : see `advance_rows` (core_models.updates.interface).
+    start : the first point.
     stresses, tangents : (n, 9) first Piola stress P [Pa] and (n, 9, 9) dP/dF [Pa], written from `start` on.
     """
 

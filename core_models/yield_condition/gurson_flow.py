@@ -21,7 +21,7 @@ from core_models.yield_condition.gurson_surface import (
 )
 
 CLOSED = 1e-15  # porosity of voids that pressure has closed for good
-WEAKEST = 1e-9  # Pa
+WEAKEST = 1e-3  # Pa; below, the round-off of the elasticity is larger
 WHOLE = 1.0 - 1e-12  # largest porosity that a step starts from
 
 

@@ -9,8 +9,9 @@ of steps.
 import math
 
 from core_models.compilation import beside_kernel, inside_kernel
-from core_models.updates.general_problem import ROUND_OFF, allowance, mean_stress
+from core_models.updates.general_problem import ROUND_OFF, mean_stress, volume_at
 from core_models.yield_condition.gurson_flow import (
+    WEAKEST,
     flowing,
     matrix_strength,
     porosity_of,
@@ -30,8 +31,6 @@ from core_models.yield_condition.gurson_surface import (
 
 NEWTON_STEPS = 14
 BISECTIONS = 110
-STEPS_TO_NO_STRESS = 60
-FARTHEST = 0.7  # ln J_e of a body without mean stress
 TINIEST_VOIDS = 1e-40
 SMALLEST_SHARE = 0.1  # of the voids that a Newton step may leave
 USUAL_PART = 1e-3  # of the bound, where laws that feel a rate have about the strength that they will have
@@ -41,37 +40,18 @@ FEW = 1e-30  # of the bound of the plastic strain, where a bisection of its loga
 @beside_kernel
 def search(law, model, flow, problem, mises, elastic_bulk):
     """The plastic flow of a trial outside the surface: converged or not, whether there is any strength, `VoidFlow`."""
-    room = problem.volume - _unstressed(model.eos, problem)
+    room = problem.volume - volume_at(model.eos, problem, 0.0, ROUND_OFF * elastic_bulk)[0]
     start = voids_before(model.damage, problem, 0.0)[0]
     bound = _largest_increment(law, model, problem, mises, room)
     now = flowing(model, flow, problem, mises, 0.0, start, 0.0)
     whole = matrix_strength(flow, problem, mises / (3.0 * problem.shear) + abs(room)).stress
-    if max(now.flow, whole) <= ROUND_OFF * (elastic_bulk + problem.shear):
+    if max(now.flow, whole) <= max(WEAKEST, ROUND_OFF * (elastic_bulk + problem.shear)):
         return True, False, now
     guess = _first_guess(law, model, flow, problem, mises, bound)
     has_converged, now = _newton(law, model, flow, problem, mises, room, bound, guess)
     if has_converged:
         return True, True, now
     return _bracketed(law, model, flow, problem, mises, room, bound, guess.increment)
-
-
-@beside_kernel
-def _unstressed(eos, problem):
-    """ln J_e where the mean stress is zero, by Newton steps from 0 that stay within a bracket."""
-    low, high = min(-FARTHEST, problem.volume), max(FARTHEST, problem.volume)
-    volume = 0.0
-    for _step in range(STEPS_TO_NO_STRESS):
-        stress, bulk = mean_stress(eos, problem, volume)
-        if abs(stress) <= ROUND_OFF * bulk:
-            break
-        if stress < 0.0:
-            low = volume
-        else:
-            high = volume
-        volume = volume - stress / bulk if bulk > 0.0 else high
-        if not low < volume < high:
-            volume = 0.5 * (low + high)
-    return volume
 
 
 @inside_kernel
@@ -112,7 +92,7 @@ def _newton(law, model, flow, problem, mises, room, bound, now):
     highest = voids_before(model.damage, problem, bound)[0] + max(room, 0.0)
     for _step in range(NEWTON_STEPS):
         r = residual(law, now)
-        limit = 10.0 * allowance(problem, now.flow, now.bulk) / now.flow
+        limit = _allowed(problem, now)
         strain = now.shape + abs(now.volume) + now.increment
         if abs(r[0]) <= limit and max(abs(r[1]), abs(r[2])) <= limit * strain:
             return now.volume * room >= 0.0 or abs(now.volume) <= limit * strain, now
@@ -124,6 +104,12 @@ def _newton(law, model, flow, problem, mises, room, bound, now):
         increment = min(max(now.increment - change[2], SMALLEST_SHARE * now.increment), bound)
         now = flowing(model, flow, problem, mises, shape, min(max(voids, lowest), highest), increment)
     return False, now
+
+
+@inside_kernel
+def _allowed(problem, now):
+    """What may be left of the yield function: the tolerance, and round-off of the elasticity."""
+    return problem.tolerance + 10.0 * ROUND_OFF * (now.bulk + problem.shear) / now.flow
 
 
 @beside_kernel
@@ -150,9 +136,8 @@ def _bracketed(law, model, flow, problem, mises, room, bound, increment):
         if high - low <= 4.0 * ROUND_OFF * high:
             break
         increment = needed if step % 2 == 0 else _between(low, high, bound)
-    limit = 10.0 * allowance(problem, now.flow, now.bulk) / now.flow
     # Inside the surface it ends only where the flow of a law that feels the rate is below round-off.
-    return residual(law, now)[0] <= limit, True, now
+    return residual(law, now)[0] <= _allowed(problem, now), True, now
 
 
 @inside_kernel

@@ -4,8 +4,9 @@ import math
 from typing import NamedTuple
 
 from core_models.compilation import beside_kernel, inside_kernel
-from core_models.laws import evolve_hardening, flow_stress, guess_increment, return_to_surface, search_surface
+from core_models.laws import evolve_hardening, flow_stress
 from core_models.status import NOT_CONVERGED, OK, UNSETTLED
+from core_models.yield_condition.interface import guess_increment, return_to_surface, search_surface
 
 MAXIMUM_ITERATIONS = 100
 

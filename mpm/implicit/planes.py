@@ -1,7 +1,8 @@
 """Ends of the grid at which the body is held, and the lines between the cells.
 
-Supports act where the grid ends: on a plane normal to an axis of which the body has one side. The functions of the
-grid that are not 0 there have the sum 1, so that they alone carry a motion that is prescribed, exactly.
+The grid ends at every boundary that is held and is a whole plane face of the body, normal to an axis. The functions
+that are not 0 there have the sum 1, so that they alone carry a motion that is prescribed, exactly. What is held
+elsewhere is held by springs (mpm.implicit.weak_supports).
 """
 
 from collections.abc import Sequence
@@ -11,9 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from core_models.arguments import check_between
-from core_models.errors import SceneError, UnsupportedError
+from core_models.errors import SceneError
 from core_models.geometry import Axisymmetric, Geometry, axis_names
-from core_models.loads import Load, Symmetry, supports
+from core_models.loads import Load, Prescribed, Symmetry, supports
 from core_models.symmetry import FLAT, symmetry_plane
 from meshes.mesh import Mesh
 
@@ -31,25 +32,35 @@ class Plane(NamedTuple):
 
 
 def held_planes(mesh: Mesh, geometry: Geometry, loads: tuple[Load, ...]) -> dict[str, Plane]:
-    """The planes of the boundaries that are held, by name.
-
-    Raises UnsupportedError for a boundary that is no whole plane face of the body.
-    """
-    names = axis_names(geometry)
+    """The planes, by name, of the boundaries that are held and are whole plane faces of the body."""
     held = [load.boundary for load in loads if isinstance(load, Symmetry)]
     held += [load.boundary for load in supports(loads, mesh.dimension)]
     planes = {}
     for name in dict.fromkeys(held):
         try:
-            axis, position, side = symmetry_plane(mesh, name, names)
+            axis, position, side = symmetry_plane(mesh, name, axis_names(geometry))
         except SceneError:
-            raise UnsupportedError(
-                f"the support on {name!r}: implicit MPM holds a body on planes normal to an axis, with the body on one "
-                "side of them: use fem.ImplicitSolver for other boundaries"
-            ) from None
-        planes[name] = Plane(axis, LOW if side > 0 else HIGH, position)
-        _refuse_part(mesh, name, planes[name], names)
+            continue
+        if _is_whole(mesh, name, axis, position):
+            planes[name] = Plane(axis, LOW if side > 0 else HIGH, position)
     return planes
+
+
+def _is_whole(mesh: Mesh, name: str, axis: int, position: float) -> bool:
+    size = float(np.ptp(mesh.points, axis=0).max())
+    there = np.flatnonzero(np.abs(mesh.points[:, axis] - position) <= FLAT * size)
+    return not np.setdiff1d(there, mesh.boundaries[name]).size
+
+
+def weakly_held(mesh: Mesh, loads: tuple[Load, ...], planes: dict[str, Plane]) -> list[Prescribed]:
+    """Components that are prescribed on boundaries without such a plane."""
+    held = [
+        Prescribed(load.boundary, symmetry_plane(mesh, load.boundary)[0])
+        for load in loads
+        if isinstance(load, Symmetry)
+    ]
+    held += supports(loads, mesh.dimension)
+    return [support for support in held if support.boundary not in planes]
 
 
 def held_ends(mesh: Mesh, geometry: Geometry, planes: dict[str, Plane]) -> set[tuple[int, int]]:
@@ -57,18 +68,6 @@ def held_ends(mesh: Mesh, geometry: Geometry, planes: dict[str, Plane]) -> set[t
     ends = {(plane.axis, plane.end) for plane in planes.values()}
     on_axis = isinstance(geometry, Axisymmetric) and mesh.points[:, 0].min() == 0.0
     return ends | {(0, LOW)} if on_axis else ends
-
-
-def _refuse_part(mesh: Mesh, name: str, plane: Plane, names: str) -> None:
-    size = float(np.ptp(mesh.points, axis=0).max())
-    there = np.flatnonzero(np.abs(mesh.points[:, plane.axis] - plane.position) <= FLAT * size)
-    others = np.setdiff1d(there, mesh.boundaries[name])
-    if others.size:
-        place = ", ".join(f"{x:.4g}" for x in mesh.points[others[0]])
-        raise UnsupportedError(
-            f"the support on {name!r} holds a part of the body's face at {names[plane.axis]} = {plane.position:.6g} m, "
-            f"to which ({place}) m belongs too: implicit MPM holds whole faces, fem.ImplicitSolver also parts"
-        )
 
 
 def grid_lines(

@@ -14,7 +14,7 @@ from core_models.equilibrium.condition import condition_number
 from core_models.equilibrium.free_motion import free_motion
 from core_models.equilibrium.pattern import Pattern
 from core_models.equilibrium.stepping import QuasiStatic, refuse_damping
-from core_models.errors import UnsupportedError
+from core_models.errors import SingularStiffness, UnsupportedError
 from core_models.geometry import Axisymmetric, find_geometry
 from core_models.load_checks import check_loads
 from core_models.loads import Load
@@ -28,14 +28,18 @@ from mpm.body import Body
 from mpm.configurations import Total
 from mpm.dilatation import find_cure
 from mpm.implicit.grid import SplineGrid
-from mpm.implicit.planes import grid_lines, held_ends, held_planes
+from mpm.implicit.planes import grid_lines, held_ends, held_planes, weakly_held
 from mpm.implicit.splines import DEGREES
 from mpm.implicit.supports import Supports
 from mpm.implicit.system import ParticleSystem
+from mpm.implicit.weak_supports import WeakSupports
 from mpm.interpolation.catalogue import check_interpolation
 from mpm.particles import GAUSS, domain_corners
 
 GHOST = 1e-4
+SINGULAR = 1e15
+"""Condition number from which the stiffness counts as singular."""
+
 OWN_SHARE = {"linear": 0.0, "quadratic": 0.1, "cubic": 0.1}
 """Share alpha of its own change of volume that a particle keeps under the cure (mpm.implicit.deformation).
 
@@ -61,12 +65,14 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
     increment, smallest, tolerance, iterations, linear_solver, log : as `fem.ImplicitSolver` takes them; the log begins
     with the condition number of the stiffness of the undeformed body.
 
-    Supports hold whole faces of the body, plane and normal to an axis. A body force at current positions has no
-    stiffness of its own, so that it costs iterations.
+    Supports hold whole faces of the body that are plane and normal to an axis exactly, others by stiff springs
+    (mpm.implicit.weak_supports). A body force at current positions has no stiffness of its own, so that it costs
+    iterations.
     `advance` makes one increment. Raises SceneError, MeshError or UnsupportedError for what cannot be.
     """
 
     method = "mpm-implicit"
+    OWN = (("_weak", ("moved", "reactions", "time")),)
 
     def __init__(
         self,
@@ -113,15 +119,17 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
             temperature=temperature, viscosity=None, affine=False, conduction=False, configuration=Total(),
         )  # fmt: skip
         grid = SplineGrid(DEGREES[interpolation], lines, ends, self.reference_positions)
-        supports = Supports(loads, mesh, kind, grid, planes)
+        shear = material.shear_at_rest(material.room_temperature)
+        self._weak = WeakSupports(weakly_held(mesh, loads, planes), self.particles, kind, grid, shear)
+        supports = Supports(loads, mesh, kind, grid, planes, self._weak)
         system = ParticleSystem(
-            grid, kind, self.particles, self.points, material, supports.fixed, tuple(loads), share, ghost,
+            grid, kind, self.particles, self.points, material, supports.fixed, tuple(loads), self._weak, share, ghost,
             self.threads,
         )  # fmt: skip
         self._grid, self._undeformed = grid, np.broadcast_to(np.eye(3), (self.points.n, 3, 3))
         pattern = Pattern(system.tables, ~system.fixed.ravel(), self.threads)
         condition = None
-        if not free_motion(grid.places, supports.fixed, kind):
+        if not free_motion(grid.places, supports.fixed | self._weak.reached, kind):
             system.balance(grid.places, 0.0, increment)
             condition = condition_number(pattern, pattern.assemble(system.stiffness()))
         self._start(
@@ -171,8 +179,23 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
 
     def _accept(self, places: np.ndarray, dt: float, end: float) -> None:
         super()._accept(places, dt, end)
+        self._weak.accept(end)
         self._ledger.hourglass = self._system.ghost_energy
         self._carry()
+
+    def _free_motion(self) -> str:
+        held = self._supports.fixed | self._weak.reached
+        return free_motion(self._nodes, held, self.geometry)
+
+    def _refuse_free_motion(self) -> None:
+        super()._refuse_free_motion()
+        condition = self.log.records[0].condition
+        if not condition < SINGULAR:
+            raise SingularStiffness(
+                f"the stiffness is singular, its condition number {condition:.1e}: {self.points.n} particles in "
+                f"{self.cells} cells do not see every motion of the grid; give a finer mesh, so that each cell has two "
+                "particles or more along every edge, or larger cells"
+            )
 
     def _carry(self) -> None:
         """Let the particles go where the grid is; their velocities are those of the last increment."""

@@ -9,6 +9,7 @@ from core_models.names import suggestion
 from meshes.mesh import Mesh
 from mpm.implicit.grid import SplineGrid
 from mpm.implicit.planes import LOW, Plane
+from mpm.implicit.weak_supports import WeakSupports
 
 
 class Supports:
@@ -21,23 +22,21 @@ class Supports:
     """
 
     def __init__(
-        self,
-        loads: tuple[Load, ...],
-        mesh: Mesh,
-        geometry: Geometry,
-        grid: SplineGrid,
-        planes: dict[str, Plane],
-    ) -> None:
-        self._places = grid.places
+        self, loads: tuple[Load, ...], mesh: Mesh, geometry: Geometry, grid: SplineGrid, planes: dict[str, Plane],
+        weak: WeakSupports,
+    ) -> None:  # fmt: skip
+        self._places, self._weak = grid.places, weak
         self.fixed = np.zeros(grid.places.shape, dtype=np.bool_)
         self.given = np.zeros(grid.places.shape)
         self._nodes = {name: _on(grid, plane) for name, plane in planes.items()}
         self._held: dict[str, set[int]] = {name: set() for name in planes}
         self._moving = []
         for load in loads:
-            if isinstance(load, Symmetry):
+            if isinstance(load, Symmetry) and load.boundary in planes:
                 self._hold(load.boundary, planes[load.boundary].axis)
         for support in supports(loads, mesh.dimension):
+            if support.boundary not in planes:
+                continue
             nodes = self._hold(support.boundary, support.component)
             if callable(support.velocity):
                 self._moving.append((nodes, support.component, support.velocity))
@@ -60,9 +59,12 @@ class Supports:
 
     def reaction(self, boundary: str) -> np.ndarray:
         """Force (d,) [N] of the supports of a boundary on the body; SceneError for a boundary that no support holds."""
+        if boundary in self._weak.names:
+            return self._weak.reaction(boundary)
         if boundary not in self._held:
+            known = (*self._held, *self._weak.names)
             raise SceneError(
-                f"no support holds {boundary!r}; {suggestion(boundary, self._held, 'nothing is held')}"
+                f"no support holds {boundary!r}; {suggestion(boundary, known, 'nothing is held')}"
             )
         total = np.zeros(self._places.shape[1])
         for component in self._held[boundary]:

@@ -16,6 +16,7 @@ from mpm.implicit.external import ExternalForces
 from mpm.implicit.ghost import ghost_faces
 from mpm.implicit.grid import SplineGrid, gradients_at
 from mpm.implicit.stiffness import make_scratch, stiffen_cells
+from mpm.implicit.weak_supports import WeakSupports
 from mpm.particles import Particles
 
 UNLOADED = 1e-6
@@ -25,14 +26,17 @@ UNLOADED = 1e-6
 class ParticleSystem:
     """`core_models.equilibrium.newton.System` of a body with its supports and loads; x are the grid's coefficients.
 
-    fixed (n, d) : given components. tables : degrees of freedom of cells, of ghost faces, and of pressed faces.
-    forces (n, d) : of cells and ghost faces [N], loads (n, d) or None : from outside [N], work : of the points,
+    fixed (n, d) : given components. tables : degrees of freedom of cells, ghost faces, faces that are held
+    weakly, and faces under pressure.
+    forces (n, d) : of cells and ghost faces [N], loads (n, d) or None : from outside
+    and of weak supports [N], work : of the points,
     ghost_energy : of the ghost penalty [J], scales (particles,) : s of `deform_cells`; all of the last balance.
     """
 
     def __init__(
         self, grid: SplineGrid, geometry: Geometry, particles: Particles, points: MaterialPoints, material: Material,
-        fixed: np.ndarray, loads: tuple[Load, ...], share: float, ghost: float, threads: Threads,
+        fixed: np.ndarray, loads: tuple[Load, ...], weak: WeakSupports, share: float, ghost: float,
+        threads: Threads,
     ) -> None:  # fmt: skip
         self._grid, self._points, self._threads, self.fixed, self._share = grid, points, threads, fixed, share
         d = grid.places.shape[1]
@@ -40,6 +44,7 @@ class ParticleSystem:
         nodes, self.values, slopes = grid.reach(particles.positions)
         self.nodes = nodes
         self._slopes = gradients_at(geometry, particles.positions, self.values, slopes)
+        self._weak = weak
         self._external = ExternalForces(
             loads, particles, geometry, grid, (nodes, self.values), self._operator, material.density
         )
@@ -48,7 +53,7 @@ class ParticleSystem:
         self._ghost_tables = [d * each + i for each in faces for i in range(d)]
         self._ghosts = [block for block in self._ghosts for _i in range(d)]
         pressed = [dofs_of(faces.nodes, d) for faces in self._external.pressed]
-        self.tables = [dofs_of(grid.nodes, d), *self._ghost_tables, *pressed]
+        self.tables = [dofs_of(grid.nodes, d), *self._ghost_tables, *weak.tables, *pressed]
         cells, dofs = self.tables[0].shape
         self._chunks = -(-cells // CELL_CHUNK)
         self._scratch = [make_scratch(dofs) for _thread in range(threads.count)]
@@ -82,6 +87,9 @@ class ParticleSystem:
         flat += self._resist(x - grid.places)
         self.forces = flat.reshape(x.shape)
         self.loads = self._external.at(x, time)
+        if self._weak.names:
+            pulled = self._weak.pull(x, time)
+            self.loads = pulled if self.loads is None else self.loads + pulled
         residual = -self.forces
         if self.loads is not None:
             residual, square = residual - self.loads, square + float((self.loads**2).sum())
@@ -90,7 +98,7 @@ class ParticleSystem:
     def stiffness(self) -> list[np.ndarray]:
         """d residual / d x where `balance` has been last: blocks for each of `tables` [N/m]."""
         pressed = (faces.stiffness(self._x, self._time) for faces in self._external.pressed)
-        return [self._matrices, *self._ghosts, *pressed]
+        return [self._matrices, *self._ghosts, *self._weak.blocks, *pressed]
 
     def _resist(self, u: np.ndarray) -> np.ndarray:
         """Forces (n d,) [N] of the ghost penalty for displacements u (n, d) [m]; notes its energy."""

@@ -4,9 +4,9 @@ from dataclasses import replace
 from pathlib import Path
 
 from core_models.errors import OutputError
-from studies.checkpointing.checkpoint_file import read_checkpoint
+from studies.checkpointing.checkpoint_file import FILE, read_checkpoint
 from studies.checkpointing.interval import Interval, read_interval
-from studies.output_folder import ResumedFolder
+from studies.output_folder import OutputFolder, ResumedFolder
 from studies.run_result import RunResult
 from studies.running import simulate
 from studies.scene_reader import read_scene
@@ -22,22 +22,38 @@ def resume(
     when the run goes wrong.
     """
     with ResumedFolder(path) as folder:
-        if (folder.path / "run.json").exists() and not (folder.path / "checkpoint.npz").exists():
+        if (folder.path / "run.json").exists() and not can_go_on(folder):
             raise OutputError(f"{path}: the run there has ended; nothing is left to resume")
-        saved = read_checkpoint(folder.path)
-        settings = saved.settings
-        saved = replace(saved, spent=replace(saved.spent, resumed=saved.spent.resumed + 1))
-        result = simulate(
-            read_scene(folder.path / "scene.xml"),
-            settings.method,
-            settings.resolution,
-            wall=settings.wall,
-            threads=threads or settings.threads,
-            folder=folder,
-            progress=progress,
-            interval=interval or read_interval(settings.interval),
-            saved=saved,
-        )
+        result = go_on(folder, threads=threads, interval=interval, progress=progress)
     if result.failure is not None:
         raise result.failure
     return result
+
+
+def can_go_on(folder: OutputFolder) -> bool:
+    """Whether a folder holds a checkpoint."""
+    return (folder.path / FILE).exists()
+
+
+def go_on(
+    folder: OutputFolder,
+    *,
+    threads: int | None = None,
+    interval: Interval | None = None,
+    progress: bool = False,
+) -> RunResult:
+    """Like `resume`, in a folder that is already ours; a run that goes wrong is recorded, not raised."""
+    saved = read_checkpoint(folder.path)
+    settings = saved.settings
+    saved = replace(saved, spent=replace(saved.spent, resumed=saved.spent.resumed + 1))
+    return simulate(
+        read_scene(folder.path / "scene.xml"),
+        settings.method,
+        settings.resolution,
+        wall=settings.wall,
+        threads=threads or settings.threads,
+        folder=folder,
+        progress=progress,
+        interval=interval or read_interval(settings.interval),
+        saved=saved,
+    )

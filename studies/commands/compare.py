@@ -4,6 +4,7 @@ examples:
   matpoint compare taylor-copper-jc
   matpoint compare taylor-classic --wall plane --resolution 8,12,16 --out results/classic
   matpoint compare taylor-ofhc-190 --methods mpm --threads 2
+  matpoint compare taylor-copper-jc --resume results/copper
   matpoint compare taylor-classic --resolution 8 --json > classic.json
 
 Prints a table and writes results.json, report.html, report.md, tables as CSV and one folder per run.
@@ -14,7 +15,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from core_models.errors import RunFailure
+from core_models.errors import RunFailure, SceneError
 from studies.default_folder import default_folder
 from studies.options import add_json_option, add_method_options, add_scene_options, asked_scene
 
@@ -23,6 +24,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """Options of `matpoint compare`."""
     add_scene_options(parser)
     add_method_options(parser)
+    parser.add_argument(
+        "--resume", metavar="DIR", help="go on with the same comparison in this folder, which was stopped"
+    )
     add_json_option(parser)
 
 
@@ -34,7 +38,9 @@ def execute(options: argparse.Namespace) -> int:
     from studies.progress import can_show
     from studies.text_table import comparison_text
 
-    out = Path(options.out or default_folder(scene.name))
+    if options.resume and options.out:
+        raise SceneError("--resume goes on in the folder it names: leave --out away")
+    out = Path(options.resume or options.out or default_folder(scene.name))
     comparison = compare(
         scene,
         options.methods or tuple(METHODS),
@@ -42,6 +48,7 @@ def execute(options: argparse.Namespace) -> int:
         wall=options.wall,
         threads=options.threads,
         out=out,
+        going_on=options.resume is not None,
         progress=can_show(sys.stderr),
     )
     if comparison.notice:

@@ -3,7 +3,7 @@
 examples:
   matpoint models
   matpoint models johnson_cook
-  matpoint models MechanicalThreshold
+  matpoint models ptw
   matpoint models ludwik --laws my_laws.py
   matpoint models --compatibility
   matpoint models --json
@@ -18,7 +18,8 @@ from studies.options import add_json_option
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Options of `matpoint models`."""
-    parser.add_argument("name", metavar="NAME", nargs="?", help="a law's class name or its type in a card")
+    about = "a law's class name, its type in a card, its initials (ptw) or a part of its name (drucker)"
+    parser.add_argument("name", metavar="NAME", nargs="?", help=about)
     parser.add_argument("--compatibility", action="store_true", help="which laws fit together, and why not")
     parser.add_argument("--laws", metavar="FILE", help="Python file with laws of your own")
     add_json_option(parser)

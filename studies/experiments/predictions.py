@@ -68,7 +68,7 @@ def predict(shot: str, card: str, method: str, resolution: int, within: float) -
         "ended": result.ended,
         "points": result.points,
         "steps": result.cost.steps,
-        "seconds": result.cost.stepping_s,
+        "seconds": result.cost.cpu_s,
         "measured": asked.measured,
         "predicted": predicted,
         "errors": errors,

@@ -65,8 +65,8 @@ def _medians(done: list[Result]) -> Table:
         )
     head = ("metal, card, method", "shots", *(f"{NAMES[name]} [%]" for name in MEASURED), "profile [mm]")
     note = (
-        "Medians of absolute errors relative to what was measured, of X_f relative to L0; profile: root-mean-square "
-        "distance, where there is a measured one."
+        "Medians of absolute errors relative to what was measured, of X_f relative to L0, over the runs that came to "
+        "an end; profile: root-mean-square distance, where there is a measured one."
     )
     return Table("Median absolute error by metal and card", head, tuple(rows), note)
 

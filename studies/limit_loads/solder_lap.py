@@ -113,6 +113,6 @@ PROBLEM = Problem(
     "Soldered lap joint",
     "A layer of tin-lead solder between stiff arms is sheared, plane strain, at two rates and two temperatures. Its "
     "force over its area against the stress of the Anand law alone in simple shear.",
-    "Wang, Cheng, Becker & Wilde, J. Appl. Mech. 68 (2001) 417: constants of the solder; the slab is the law itself",
+    "Wang, Cheng, Becker & Wilde, J. Electron. Packag. 123 (2001) 247: constants of the solder; the slab is the law",
     run,
 )

@@ -7,7 +7,7 @@ from importlib.resources import files
 
 from studies.report.markdown import csv_text
 from studies.report.markup import items, note, panels, section, table
-from studies.report.study_page import AGREE, APART, Report, Section, Verdict
+from studies.report.study_page import AGREE, Report, Section, Verdict
 from studies.verification.figures import picture_svg, plot_svg
 from studies.verification.outcome import Table
 from studies.verification.text import shown
@@ -81,8 +81,6 @@ def _section(each: Section, places: dict[str, str]) -> str:
         f'<p class="lead">{escape(each.lead)}</p>' if each.lead else "",
         *(note(remark) for remark in each.remarks),
         _verdicts(each.verdicts),
-        *tables,
-        "" if paired else "".join(_download(*file) for file in names),
         each.controls,
         panels(
             [
@@ -92,18 +90,21 @@ def _section(each: Section, places: dict[str, str]) -> str:
             ],
             each.caption,
         ),
+        *tables,
+        "" if paired else "".join(_download(*file) for file in names),
         place=each.name,
     )
 
 
 def _verdicts(verdicts: Iterable[Verdict]) -> str:
-    first = [(each.kind, each.text) for each in verdicts if each.kind != AGREE]
-    met = [(each.kind, each.text) for each in verdicts if each.kind == AGREE]
-    if len(met) <= MANY_VERDICTS or not any(kind == APART for kind, _ in first):
-        entries = [(each.kind, each.text) for each in verdicts]
-        return items("verdicts", entries) if entries else ""
+    """Verdicts in their order; many that agree are folded, behind those that do not."""
+    told = [(each.kind, each.text) for each in verdicts]
+    met = [each for each in told if each[0] == AGREE]
+    if len(met) <= MANY_VERDICTS:
+        return items("verdicts", told) if told else ""
+    others = [each for each in told if each[0] != AGREE]
     folded = f"<details><summary>{len(met)} criteria met</summary>{items('verdicts', met)}</details>"
-    return (items("verdicts", first) if first else "") + folded
+    return (items("verdicts", others) if others else "") + folded
 
 
 def _table(content: Table, places: dict[str, str], heading: str, file: list[tuple[str, Table]]) -> str:

@@ -9,7 +9,8 @@ from studies.run_result import RunResult
 FIELDS = {
     "equivalent_plastic_strain": ("Equivalent plastic strain", "viridis"),
     "temperature": ("Temperature [K]", "inferno"),
-    "damage": ("Johnson-Cook damage", "cividis"),
+    "damage": ("Damage", "cividis"),
+    "porosity": ("Porosity", "magma"),
 }
 
 

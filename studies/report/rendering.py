@@ -6,6 +6,7 @@ that asks for it: a job as JSON on standard input, pictures in a folder, what th
 
 import json
 import sys
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -33,11 +34,9 @@ def render(pairs: list[list[str]], fields: dict[str, Any], folder: Path) -> dict
     import pyvista
     from PIL import Image
 
-    files = {name: _standing(pyvista.read(name)) for name in {name for pair in pairs for name in pair}}
-    width = ROOM * max(float(np.abs(grid.points[:, 0]).max()) for grid in files.values())
-    top = ROOM * max(float(grid.points[:, 1].max()) for grid in files.values())
-    present = [name for name in fields if all(name in grid.cell_data for grid in files.values())]
-    ranges = {name: _range(files, name, fields[name]["signed"]) for name in present}
+    # Only the frames of one picture are kept: all frames of fine runs would fill the memory.
+    read = lru_cache(maxsize=2)(lambda name: _standing(pyvista.read(name)))
+    width, top, ranges = _survey(read, sorted({name for pair in pairs for name in pair}), fields)
     plotter = pyvista.Plotter(
         off_screen=True, window_size=(WIDTH, max(round(WIDTH * top / (2.0 * width)), 2))
     )
@@ -46,9 +45,9 @@ def render(pairs: list[list[str]], fields: dict[str, Any], folder: Path) -> dict
     plotter.show(auto_close=False)
     plotter.image_transparent_background = True  # which `show` resets
     for k, (left, right) in enumerate(pairs):
-        for name in present:
+        for name in ranges:
             plotter.clear_actors()
-            for grid, side in ((files[left], -1.0), (files[right], 1.0)):
+            for grid, side in ((read(left), -1.0), (read(right), 1.0)):
                 shown = grid.scale((side, 1.0, 1.0), inplace=False)
                 plotter.add_mesh(
                     shown,
@@ -77,8 +76,26 @@ def _standing(grid):
     return grid
 
 
-def _range(files: dict[str, Any], name: str, signed: bool) -> list[float]:
-    values = np.concatenate([np.asarray(grid.cell_data[name]) for grid in files.values()])
+def _survey(read, names: list[str], fields: dict[str, Any]) -> tuple[float, float, dict[str, list[float]]]:
+    """Half width and height of the picture [m], and the range of every field that all frames have."""
+    width = top = 0.0
+    found: dict[str, list[np.ndarray]] = {name: [] for name in fields}
+    for file in names:
+        grid = read(file)
+        width = max(width, float(np.abs(grid.points[:, 0]).max()))
+        top = max(top, float(grid.points[:, 1].max()))
+        for name in fields:
+            if name in grid.cell_data:
+                found[name].append(np.asarray(grid.cell_data[name], dtype=np.float32))
+    ranges = {
+        name: _range(np.concatenate(values), fields[name]["signed"])
+        for name, values in found.items()
+        if len(values) == len(names)
+    }
+    return ROOM * width, ROOM * top, ranges
+
+
+def _range(values: np.ndarray, signed: bool) -> list[float]:
     if not signed:
         return [float(values.min()), float(values.max())]
     bound = float(np.percentile(np.abs(values), CENTRAL)) or 1.0

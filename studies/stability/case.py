@@ -4,6 +4,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+LARGEST_DRIFT = (
+    0.1  # of the energy: more, or any that is no number, is an instability that nothing has caught
+)
+
 
 @dataclass(frozen=True)
 class Case:
@@ -11,6 +15,7 @@ class Case:
 
     build : makes the solver of a variant (studies.variants). end : time to run to [s]; steps : most steps, quickly a
     tenth of them. factor : by which every stable step is multiplied.
+    drift : of the energy that is allowed.
     """
 
     name: str
@@ -19,3 +24,4 @@ class Case:
     end: float = float("inf")
     steps: int = 60_000
     factor: float = 1.0
+    drift: float = LARGEST_DRIFT

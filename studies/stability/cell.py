@@ -12,9 +12,6 @@ from studies.stability.case import Case
 
 STABLE, RESCUED, REFUSED, FAILED = "stable", "stable after redoing steps", "refused", "failed"
 QUICKLY = 10  # times fewer steps
-LARGEST_DRIFT = (
-    0.1  # of the energy: more, or any that is no number, is an instability that nothing has caught
-)
 WATCH = 50  # looks at the body in a run
 
 
@@ -64,7 +61,7 @@ def run_cell(case: Case, variant: str, quick: bool) -> Cell:
         logger.removeHandler(redone)
         logger.setLevel(level)
     cell.redone = redone.count
-    if cell.verdict == STABLE and not cell.drift <= LARGEST_DRIFT:
+    if cell.verdict == STABLE and not cell.drift <= case.drift:
         cell.verdict, cell.why = FAILED, f"the energy is off by {100.0 * cell.drift:.3g} %"
     elif cell.verdict == STABLE and cell.redone:
         cell.verdict = RESCUED
@@ -87,7 +84,7 @@ def _advance(case: Case, solver: Any, cell: Cell, steps: int) -> None:
             cell.smallest_step = min(cell.smallest_step, solver.time - before)
         if cell.steps % max(steps // WATCH, 1) == 0 or cell.steps < WATCH:
             _look(solver, cell)
-            if not cell.drift <= LARGEST_DRIFT:
+            if not cell.drift <= case.drift:
                 return
     _look(solver, cell)
 

@@ -4,8 +4,9 @@ from collections.abc import Callable
 from typing import Any
 
 from core_models.errors import RunFailure
+from studies.stability.case import LARGEST_DRIFT
 from studies.stability.cases.elastic import CAUTIOUS, ringing
-from studies.stability.cell import LARGEST_DRIFT, energy_drift
+from studies.stability.cell import energy_drift
 
 STEPS = 2000  # in which an instability of the elastic bar shows
 BISECTIONS = 8

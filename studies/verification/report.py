@@ -35,7 +35,7 @@ def _summary(results: Results) -> Section:
         met = f"{len(outcome.criteria) - unmet} / {len(outcome.criteria)}"
         rows.append((problem.title, met, f"{unmet} not met" if unmet else "✓", round(outcome.seconds, 1)))
     return Section(
-        "summary", "In short", (Table("In short", ("problem", "criteria met", "", "[s]"), tuple(rows)),)
+        "summary", "In short", (Table("In short", ("problem", "criteria met", "", "time [s]"), tuple(rows)),)
     )
 
 

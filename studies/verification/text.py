@@ -33,8 +33,10 @@ def shown(value: Cell) -> str:
         return value
     if isinstance(value, int):
         return f"{value:,}"
-    if value == 0.0 or 1e-3 <= abs(value) < 1e5:
+    if value == 0.0 or 1e-3 <= abs(value) < 10.0**DIGITS:
         return f"{value:.{DIGITS}g}"
+    if abs(value) < 1e6 and abs(value) >= 1.0:
+        return f"{value:,.0f}"
     return f"{value:.{DIGITS - 2}e}"
 
 

@@ -11,7 +11,11 @@ from studies.scene_reader import read_scene
 from studies.work_precision.problem import Reference, WorkProblem
 
 QUANTITIES = ("final_length", "foot_radius")
-RESOLUTIONS = {"fem-explicit": (4, 6, 8, 12, 16), "mpm": (6, 8, 12, 16, 24)}
+RESOLUTIONS = {
+    "fem-explicit": (4, 6, 8, 12, 16),
+    "fem-explicit:quad8": (2, 3, 4, 5, 6),  # whose steps are seven times smaller
+    "mpm": (6, 8, 12, 16, 24),
+}
 VARIANTS = ("fem-explicit", "fem-explicit:reduced", "fem-explicit:quad8", "mpm", "mpm:cubic", "mpm:total")
 PUBLISHED = 0.0005  # relative uncertainty of a published value that is given to four digits
 JOINT = Reference(None, 0.0, "joint extrapolation of all runs")

@@ -10,6 +10,7 @@ from core_models.errors import MatpointError
 from studies.costs import measured
 
 WARM_STEPS = 3
+ENOUGH = 10.0  # s of measurements, after which a run is not repeated any more
 
 
 @dataclass(frozen=True)
@@ -17,8 +18,8 @@ class Measurement:
     """A variant at a resolution.
 
     values : answers by quantity [SI]. seconds : processor time of the steps, median of the repeats; spread : of these,
-    largest over smallest. wall_s : the same by the clock. compile_s : compilation, which is part of neither.
-    memory_bytes : largest of the process. message : why there are no values.
+    largest over smallest; repeats : how many. wall_s : the same by the clock. compile_s : compilation, which is part of
+    neither. memory_bytes : largest of the process. message : why there are no values.
     """
 
     variant: str
@@ -34,6 +35,7 @@ class Measurement:
     message: str = ""
     threads: int = 1
     wall_s: float = 0.0
+    repeats: int = 1
 
     def as_json(self) -> dict[str, Any]:
         """Plain data."""
@@ -48,9 +50,10 @@ def measure_run(
     repeats: int,
     threads: int = 1,
 ) -> Measurement:
-    """Run so many times and measure; what the program refuses or cannot finish becomes the message.
+    """Run so many times, fewer if that takes longer than ENOUGH, and measure.
 
     build : makes the solver at time zero, with so many threads. finish : steps it to its end and returns its answers.
+    What the program refuses or cannot finish becomes the message.
     A solver of its own makes some steps first, so that nothing is compiled while time is taken.
     """
     try:
@@ -60,7 +63,7 @@ def measure_run(
                 solver.advance()
         seconds, walls, values = [], [], {}
         with measured() as cost:
-            for _ in range(repeats):
+            while len(seconds) < repeats and sum(seconds) < ENOUGH:
                 solver = build()
                 wall, began = time.perf_counter(), time.process_time()
                 values = finish(solver)
@@ -81,4 +84,5 @@ def measure_run(
         cost.peak_memory_bytes,
         threads=threads,
         wall_s=median(walls),
+        repeats=len(seconds),
     )

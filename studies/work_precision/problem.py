@@ -18,7 +18,7 @@ class Reference:
 class WorkProblem:
     """A problem with named quantities.
 
-    references : by quantity. resolutions : default ones by method word ('fem-explicit', 'mpm'), five or more.
+    references : by quantity. resolutions : default ones by variant or else its method word, five or more.
     build : makes the solver of a variant at a resolution with a number of threads. finish : steps it to its end,
     returns its answers. units : of the quantities.
     """

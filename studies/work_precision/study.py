@@ -61,8 +61,13 @@ def planned(
     return [
         (variant, resolution)
         for variant in dict.fromkeys(chosen)
-        for resolution in sorted(set(resolutions or problem.resolutions[read_variant(variant).solver]))
+        for resolution in sorted(set(resolutions or _resolutions(problem, variant)))
     ]
+
+
+def _resolutions(problem: WorkProblem, variant: str) -> tuple[int, ...]:
+    method = read_variant(variant).solver
+    return problem.resolutions.get(variant, problem.resolutions[method])
 
 
 def compare_work(

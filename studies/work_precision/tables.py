@@ -145,8 +145,8 @@ def _plots(runs: list[Measurement], quantity: str, reference: Reference) -> Iter
 def _runs_table(runs: list[Measurement], quantities: tuple[str, ...]) -> Table:
     rows = [
         (
-            f"{run.variant} {run.resolution}", run.points, run.steps, run.point_updates, run.seconds, run.spread,
-            run.compile_s, round(run.memory_bytes / 2**20), *(run.values[name] for name in quantities),
+            f"{run.variant} {run.resolution}", run.points, run.steps, run.point_updates, run.seconds, run.repeats,
+            run.spread, run.compile_s, round(run.memory_bytes / 2**20), *(run.values[name] for name in quantities),
         )
         for run in runs if run.values
     ]  # fmt: skip
@@ -156,6 +156,7 @@ def _runs_table(runs: list[Measurement], quantities: tuple[str, ...]) -> Table:
         "steps",
         "point updates",
         "s",
+        "repeats",
         "slowest / fastest",
         "compile s",
         "MiB",

@@ -10,8 +10,9 @@ from core_models.flow.steinberg_cochran_guinan import SteinbergCochranGuinan
 from core_models.flow.tabulated import TabulatedHardening
 from core_models.flow.thermal_voce import ThermalVoce
 from core_models.flow.zerilli_armstrong import ZerilliArmstrong
-from core_models.laws import evolve_hardening, flow_stress, guess_increment, return_to_surface, search_surface
+from core_models.laws import evolve_hardening, flow_stress
 from core_models.status import OK
+from core_models.yield_condition.interface import guess_increment, return_to_surface, search_surface
 from core_models.yield_condition.von_mises import VonMises
 
 TOLERANCE = 1e-10

@@ -1,10 +1,15 @@
 """Comparisons: results.json, verdicts, report."""
 
+import itertools
 import json
 import re
+import shutil
 
+import numpy as np
 import pytest
 
+from core_models.errors import OutputError
+from studies.checkpointing.interval import Interval
 from studies.comparing import compare
 from studies.quantity_names import QUANTITIES
 
@@ -92,6 +97,45 @@ def test_repeated_methods_and_resolutions_run_once(fake_solvers, classic):
     """Each run has its own folder, so each is made once, coarse to fine."""
     comparison = compare(classic, ("mpm", "mpm"), (12, 8, 12))
     assert [run.label for run in comparison.runs] == ["mpm 8", "mpm 12"]
+
+
+def test_a_comparison_that_was_stopped_goes_on(fake_solvers, classic, tmp_path, monkeypatch):
+    """Complete runs are read back bit by bit, missing ones made; another comparison in the folder is refused."""
+    whole = compare(classic, resolutions=(8, 12), out=tmp_path / "whole")
+    with monkeypatch.context() as patch:
+        patch.setattr("studies.comparing.conclude", stopped)
+        with pytest.raises(KeyboardInterrupt):
+            compare(classic, resolutions=(8, 12), out=tmp_path / "out")
+    shutil.rmtree(tmp_path / "out/mpm-12")
+    again = compare(classic, resolutions=(8, 12), out=tmp_path / "out", going_on=True)
+    for name in ("limits", "differences", "profiles"):
+        assert getattr(again, name) == getattr(whole, name)
+    for before, after in zip(whole.runs, again.runs, strict=True):
+        assert before.quantities == after.quantities and before.ended == after.ended
+        np.testing.assert_array_equal(before.history.column("length"), after.history.column("length"))
+        np.testing.assert_array_equal(before.final.domains, after.final.domains)
+    with pytest.raises(OutputError, match="threads = 1, not 2"):
+        compare(classic, resolutions=(8, 12), threads=2, out=tmp_path / "out", going_on=True)
+
+
+def stopped(*_):
+    """Ends a comparison after its runs."""
+    raise KeyboardInterrupt
+
+
+def test_a_run_of_a_comparison_goes_on_from_its_checkpoint(classic, tmp_path, monkeypatch):
+    """A run that was killed on its way makes only the steps that are left, and ends bitwise the same."""
+    whole = compare(classic, ("fem-explicit",), (4,), wall="plane", out=tmp_path / "whole")
+    with monkeypatch.context() as patch:
+        patch.setattr("studies.running.USUAL", Interval(steps=25))
+        steps = itertools.count()
+        patch.setattr("studies.contact_watch.ContactWatch.step", lambda *_: next(steps) < 60 or stopped())
+        with pytest.raises(KeyboardInterrupt):
+            compare(classic, ("fem-explicit",), (4,), wall="plane", out=tmp_path / "out")
+    assert (tmp_path / "out/fem-explicit-4/checkpoint.npz").exists()
+    again = compare(classic, ("fem-explicit",), (4,), wall="plane", out=tmp_path / "out", going_on=True)
+    assert again.runs[0].resumed == 1
+    assert again.runs[0].quantities == whole.runs[0].quantities
 
 
 def test_a_comparison_on_a_full_disk_goes_on(fake_solvers, classic, tmp_path, full_disk):

@@ -5,7 +5,8 @@ import json
 import numpy as np
 import pytest
 
-from studies.command_line import main
+from studies.command_line import VERBS, main
+from studies.commands.study import STUDIES
 from studies.json_output import json_text
 
 
@@ -13,6 +14,19 @@ def printed(capsys, *arguments):
     """What a command has printed, read as JSON."""
     assert main([*arguments, "--json"]) == 0
     return json.loads(capsys.readouterr().out, parse_constant=pytest.fail)
+
+
+COMMANDS = [[verb] for verb in VERBS if verb != "study"] + [["study", name] for name in STUDIES]
+
+
+@pytest.mark.parametrize("command", COMMANDS, ids=" ".join)
+def test_every_command_offers_its_results_as_data(command, capsys):
+    """`--json`, examples and exit statuses are in the help of each."""
+    with pytest.raises(SystemExit):
+        main([*command, "--help"])
+    told = capsys.readouterr().out
+    assert "--json" in told and "example" in told and "Exit status" in told
+    assert "%%" not in told
 
 
 def test_arrays_laws_and_infinity_become_plain_data():

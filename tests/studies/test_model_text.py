@@ -4,8 +4,9 @@ import re
 
 import pytest
 
+from core_models.errors import SceneError
 from core_models.schema import SLOTS
-from studies.model_text import model_list, model_text
+from studies.model_text import find_models, model_list, model_text
 
 LAWS = [(slot, model) for slot in SLOTS for model in slot.models]
 
@@ -36,3 +37,32 @@ def test_the_list_has_every_law():
     lines = model_list().splitlines()
     for _slot, model in LAWS:
         assert any(f"  {model.types[0]}" in line and model.law.__name__ in line for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("name", "classes"),
+    [
+        ("ptw", {"PrestonTonksWallace", "PrestonShearModulus"}),
+        ("mts", {"MechanicalThreshold", "VarshniShearModulus"}),
+        ("jc", {"JohnsonCook"}),
+        ("GTN", {"Gurson"}),
+        ("za", {"ZerilliArmstrong"}),
+        ("drucker_prager", {"DruckerPrager"}),
+        ("Mohr-Coulomb", {"MohrCoulomb"}),
+        ("threshold", {"MechanicalThreshold"}),
+    ],
+)
+def test_short_names_are_understood(name, classes):
+    """Initials, the beginning of a card's type, parts, in any case."""
+    assert {model.law.__name__ for _slot, model in find_models(name)} == classes
+
+
+def test_a_wrong_name_gets_the_nearest_and_no_list_of_a_hundred():
+    """One line, with what it may have meant."""
+    with pytest.raises(
+        SceneError, match=r"no law 'jonson_cook'; did you mean 'johnson_cook'.*lists all$"
+    ) as told:
+        find_models("jonson_cook")
+    assert len(str(told.value)) < 160
+    with pytest.raises(SceneError, match="^no law 'xyzzy'; `matpoint models` lists all$"):
+        find_models("xyzzy")

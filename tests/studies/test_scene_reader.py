@@ -12,7 +12,7 @@ from studies.scene_writer import write_scene
 from studies.shipped_scenes import SCENES_FOLDER, shipped_scenes
 
 RUBBING = '<wall type="plane" friction="0.2"/><conduction>on</conduction>'
-NAMES = ("taylor-classic", "taylor-copper-jc", "taylor-copper-mts", "taylor-ofhc-190")
+NAMES = ("taylor-classic", "taylor-copper-jc", "taylor-copper-mts", "taylor-hy100-gtn", "taylor-ofhc-190")
 
 
 def variant(tmp_path, old, new, name="taylor-classic"):
@@ -26,7 +26,7 @@ def variant(tmp_path, old, new, name="taylor-classic"):
     return path
 
 
-def test_the_four_scenes_are_shipped():
+def test_the_five_scenes_are_shipped():
     """The scenes that the documentation names are there and can be read."""
     assert tuple(shipped_scenes()) == NAMES
 

@@ -1,8 +1,8 @@
-"""Pull a bar or strip until it necks, by implicit and explicit finite elements and the material point method.
+"""Pull a bar or strip until it necks, by finite elements and the material point method, implicit and explicit.
 
 examples:
   matpoint study necking
-  matpoint study necking necking-weldox-damage --methods fem-implicit,mpm-tl
+  matpoint study necking necking-weldox-damage --methods fem-implicit,mpm-implicit
   matpoint study necking --quick --out results/necking
   matpoint study necking --resume results/necking
 
@@ -14,10 +14,12 @@ Exit status: 0 when every criterion is met; 1 when some is not; 2 bad input.
 
 import argparse
 import sys
+import time
 from pathlib import Path
 
 from studies.default_folder import default_folder
-from studies.options import names, positive
+from studies.options import add_json_option, names, positive
+from studies.progress import clock
 
 UNMET = 1
 
@@ -30,6 +32,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--quick", action="store_true", help="the scene's quick runs only")
     parser.add_argument("--workers", metavar="N", type=positive, help="processes (default: one a processor)")
+    add_json_option(parser)
     folder = parser.add_mutually_exclusive_group()
     folder.add_argument("--out", metavar="DIR", help="new or empty folder (default: results/SCENE-DATE-TIME)")
     folder.add_argument("--resume", metavar="DIR", help="go on with the study in this folder")
@@ -38,9 +41,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def execute(options: argparse.Namespace) -> int:
     """Make the runs that are not made yet, print the verdicts and where the report is."""
     from studies.necking.study import study_necking
+    from studies.study_output import print_study
     from studies.verification.text import criterion_text
 
     out = Path(options.resume or options.out or default_folder(Path(options.scene).stem))
+    began = time.monotonic()
     outcome = study_necking(
         options.scene,
         out,
@@ -48,19 +53,19 @@ def execute(options: argparse.Namespace) -> int:
         quick=options.quick,
         going_on=options.resume is not None,
         workers=options.workers,
-        tell=_tell,
+        tell=lambda result, done, all_: _tell(result, done, all_, time.monotonic() - began),
     )
     met = sum(criterion.met for criterion in outcome.criteria)
-    print(
-        f"{options.scene}: {met} of {len(outcome.criteria)} criteria met, {outcome.seconds:.0f} s of processor time"
-    )
-    for criterion in outcome.criteria:
-        print(f"  {'met' if criterion.met else 'not met'}: {criterion_text(criterion)}")
-    page = out / "report.html"
-    print(page if page.exists() else out / "results.json")
-    return 0 if all(criterion.met for criterion in outcome.criteria) else UNMET
+    told = [
+        f"{options.scene}: {met} of {len(outcome.criteria)} criteria met, {outcome.seconds:.0f} s of processor time",
+        *(f"  {'met' if each.met else 'not met'}: {criterion_text(each)}" for each in outcome.criteria),
+    ]
+    remark = "" if (out / "report.html").exists() else outcome.remarks[-1]
+    print_study(out, "\n".join(told), remark, as_json=options.json)
+    return 0 if met == len(outcome.criteria) else UNMET
 
 
-def _tell(result: dict, done: int, all_: int) -> None:
+def _tell(result: dict, done: int, all_: int, passed: float) -> None:
     said = f"{result['seconds']:.1f} s" if "seconds" in result else result["message"][:120]
-    print(f"{done} of {all_}: {result['key']}: {said}", file=sys.stderr, flush=True)
+    left = clock(passed / done * (all_ - done))
+    print(f"[{done}/{all_}, {left} left] {result['key']}: {said}", file=sys.stderr, flush=True)

@@ -23,4 +23,5 @@ def _drawn(variant: str):
     return ImplicitSolver(mesh, classic(), loads=loads, increment=1.0 / INCREMENTS, **asked.options)
 
 
-CASES = (Case("implicit-large", "Implicit increments ten times too large", _drawn, 1.0),)
+# Of so large an increment the external work is a trapezoid's, far from what the stress does.
+CASES = (Case("implicit-large", "Implicit increments ten times too large", _drawn, 1.0, drift=10.0),)
