@@ -269,6 +269,11 @@ def back_stress_constants(kinematic_hardening, term):
     """Modulus C [Pa] and recovery gamma [-] of a back stress: d alpha = 2/3 C d e_p - gamma alpha d ep."""
 
 
+@back_stress_constants.register(type(None))
+def _(kinematic_hardening, term):
+    return 1.0, 0.0  # never asked for: there is no term
+
+
 @generic
 def nucleated(damage, plastic_strain, increment):
     """Volume fraction of voids [-] that an increment of plastic strain of the matrix brings, and its slope."""

@@ -118,7 +118,7 @@ def _static(scene: NeckingScene, plan: PlannedRun, make: Callable) -> NeckingRun
     began = time.process_time()
     solver = make(
         body_of(scene, plan), material=scene.material, loads=loads_of(scene, scene.pull / scene.duration),
-        increment=scene.duration / plan.increments, geometry=_geometry(scene), **plan.options,
+        increment=scene.duration / plan.increments, geometry=_geometry(scene), **_options(plan),
     )  # fmt: skip
     watch = NeckingWatch(solver, scene.body != STRIP)
     while solver.time < scene.duration:
@@ -139,9 +139,7 @@ def _explicit(scene: NeckingScene, plan: PlannedRun, make: Callable, crowd: int 
     if plan.periods > 0.0:
         material = _slowed(scene, plan.periods)
     loads = loads_of(scene, lambda _places, t: speed * min(t / start, 1.0))
-    solver = make(
-        body, material=material, loads=loads, geometry=_geometry(scene), conduction=plan.conduction, **plan.options
-    )  # fmt: skip
+    solver = make(body, material=material, loads=loads, geometry=_geometry(scene), **_options(plan))
     watch, kinetic = NeckingWatch(solver, scene.body != STRIP), KineticWatch(ELASTIC * scene.duration)
     for row in range(ROWS):
         # Elastic waves run through the bar: a row's force is the mean over the time since the row before.
@@ -169,6 +167,10 @@ def _slowed(scene: NeckingScene, periods: float) -> Material:
 
 def _shape(solver) -> tuple[np.ndarray, np.ndarray]:
     return solver.domains(), solver.points.old.equivalent_plastic_strain.copy()
+
+
+def _options(plan: PlannedRun) -> dict[str, Any]:
+    return {**plan.options, "conduction": True} if plan.conduction else dict(plan.options)
 
 
 def _geometry(scene: NeckingScene) -> str:

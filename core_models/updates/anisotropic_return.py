@@ -26,7 +26,7 @@ from core_models.tensors import (
     transposed,
 )
 from core_models.updates.back_stress import move_back_stresses, reach, recovered, recovered_before
-from core_models.updates.general_problem import ELASTIC, status_of, strength
+from core_models.updates.general_problem import ELASTIC, ROUND_OFF, status_of, strength
 from core_models.updates.prediction import NO_STRESS
 from core_models.updates.root import next_guess
 from core_models.yield_condition.von_mises import VonMises
@@ -69,9 +69,10 @@ class AnisotropicReturn(NamedTuple):
 
 
 class Trying(NamedTuple):
-    """An increment tried: residual and its slope [Pa], direction of the flow, stress, hardening variable."""
+    """An increment tried: residual, its slope and S [Pa], direction of the flow, stress, hardening variable."""
 
     residual: float
+    surface: float
     slope: float
     direction: tuple
     stress: tuple
@@ -140,7 +141,7 @@ def _search(hardening, flow, problem, guess, rows, k):
         now = _tried(hardening, flow, problem, high, rows, k)
     for _iteration in range(MAXIMUM_ITERATIONS):
         now = _tried(hardening, flow, problem, increment, rows, k)
-        limit = problem.tolerance * equivalent_stress(deviator(problem.trial))
+        limit = problem.tolerance * now.surface + ROUND_OFF * problem.shear
         if abs(now.residual) <= limit or high - low <= 1e-15 * high:
             return True, increment, now
         if now.residual > 0.0:
@@ -157,16 +158,22 @@ def _tried(hardening, flow, problem, increment, rows, k):
     rest, falling = _kept(hardening, problem, increment, rows, k)
     added, added_slope = reach(hardening, increment)
     now = strength(flow, problem, increment)
-    surface, slope = now.stress + added, now.slope + added_slope
+    surface, slope = _at_least(now.stress + added, problem), now.slope + added_slope
     softness = 1.5 * increment / surface
     softness_slope = 1.5 * (surface - increment * slope) / (surface * surface)
     x = relaxed(problem.elastic, softness, minus(problem.trial, rest))
     deviatoric = deviator(x)
     size = equivalent_stress(deviatoric)
-    direction = scaled(deviatoric, 1.0 / size)
+    direction = scaled(deviatoric, 1.0 / size if size > 0.0 else 0.0)
     flowing = minus(falling, scaled(stressed(problem.elastic, deviatoric), softness_slope))
     size_slope = 1.5 * contract(direction, relaxed(problem.elastic, softness, flowing))
-    return Trying(size - surface, size_slope - slope, direction, plus(x, rest), now.variable)
+    return Trying(size - surface, surface, size_slope - slope, direction, plus(x, rest), now.variable)
+
+
+@inside_kernel
+def _at_least(stress, problem):
+    """S, round-off of the elasticity where the flow law has no strength left, as above its melting temperature."""
+    return max(stress, ROUND_OFF * problem.shear)
 
 
 @inside_kernel
@@ -209,7 +216,7 @@ def _(yield_condition, model, flow, problem, returned, rows, k, trial):
     )
     added, added_slope = reach(hardening, increment)
     now = strength(flow, problem, increment)
-    surface, slope = now.stress + added, now.slope + added_slope
+    surface, slope = _at_least(now.stress + added, problem), now.slope + added_slope
     softness = 1.5 * increment / surface
     softness_slope = 1.5 * (surface - increment * slope) / (surface * surface)
     along_flow = scaled(stressed(problem.elastic, returned.direction), softness_slope * surface)

@@ -49,8 +49,8 @@ def _apex_change(law, flow, problem, returned, values, change, shear):
 def _change(law, model, flow, problem, returned, values, axes, change, shear, mean):
     """Change of deviator and mean stress on some planes: of the principal stresses, and of their axes."""
     planes = PLANES[returned.regime - 1]
-    _converged, gammas, now, _limit = flow_on(law, model, flow, problem, values, planes)
-    hardening = strength(flow, problem, now.increment).slope
+    _converged, gammas, now, increment, _limit = flow_on(law, model, flow, problem, values, planes)
+    hardening = strength(flow, problem, increment).slope
     matrix = slopes_of_excess(law, problem, planes, now, hardening)
     strain = plastic_strain(law, planes, gammas)
     values_change, mean_change = _principal_change(

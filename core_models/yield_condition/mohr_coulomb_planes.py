@@ -181,13 +181,20 @@ def solved(matrix, det, right):
 
 @beside_kernel
 def flow_on(law, model, flow, problem, values, planes):
-    """Multipliers of the active planes: converged or not, multipliers, `PlaneFlow`, how far off it may be [Pa].
+    """Multipliers of the active planes: converged or not, multipliers, `PlaneFlow`, increment of plastic strain, and
+    how far off the stress may be [Pa].
 
     With the cohesion of an increment of plastic strain the planes give an increment; the root of their difference is
-    the increment sought. It falls where the cohesion rises, however steeply.
+    the increment sought. It falls where the cohesion rises, however steeply: so steeply that the increment which gives
+    the cohesion is not to be had from the difference of stresses.
     """
     low, high, tried = 0.0, 2.0 * (values[0] - values[2]) / problem.shear, 0.0
     gammas = (0.0, 0.0, 0.0)
+    bound = (
+        cohesion_factor(law, planes[0]),
+        cohesion_factor(law, planes[1]),
+        cohesion_factor(law, planes[2]),
+    )
     at = strength(flow, problem, 0.0)
     bulk = mean_stress(model.eos, problem, problem.volume)[1]
     for _iteration in range(2 * MAXIMUM_ITERATIONS):
@@ -196,27 +203,26 @@ def flow_on(law, model, flow, problem, values, planes):
         if not converged:
             break
         # A cohesion that is too high for any flow makes it go backwards.
-        sign = 1.0 if gammas[0] + gammas[1] + gammas[2] >= 0.0 else -1.0
+        sign = 1.0 if dot(bound, gammas) >= 0.0 else -1.0
         residual = sign * now.increment - tried
         factor = cohesion_factor(law, 0)
         is_consistent = abs(factor * (strength(flow, problem, now.increment).stress - at.stress)) <= limit
-        if (sign > 0.0 and is_consistent) or high - low <= 1e-15 * high:
-            return True, gammas, now, limit
+        if sign > 0.0 and is_consistent:
+            return True, gammas, now, now.increment, limit
+        if high - low <= 1e-15 * high:
+            return True, gammas, now, tried, limit
         if residual > 0.0:
             low = tried
         else:
             high = tried
         matrix = slopes_of_excess(law, problem, planes, now, 0.0)
-        bound = (
-            cohesion_factor(law, planes[0]), cohesion_factor(law, planes[1]), cohesion_factor(law, planes[2])
-        )  # fmt: skip
         fall = sign * dot(now.slopes, solved(matrix, determinant(matrix), bound))
         # From an increment of nothing, where cohesion may rise without bound, to the largest that the planes give.
         tried = (
             now.increment if tried == 0.0 else next_guess(tried, residual, -1.0 - fall * at.slope, low, high)
         )
         at = strength(flow, problem, tried)
-    return False, gammas, flowing(law, model, problem, values, planes, gammas), 0.0
+    return False, gammas, flowing(law, model, problem, values, planes, gammas), 0.0, 0.0
 
 
 @beside_kernel

@@ -50,23 +50,23 @@ def _search(law, model, flow, problem, values, axes):
         planes = PLANES[regime - 1]
         if planes[0] >= 3 and law.tension_cutoff == math.inf:
             break
-        converged, gammas, now, limit = flow_on(law, model, flow, problem, values, planes)
-        cohesion = strength(flow, problem, now.increment)
-        if converged and _is_admissible(law, gammas, now.stress, cohesion.stress, 10.0 * limit):
+        converged, gammas, now, increment, limit = flow_on(law, model, flow, problem, values, planes)
+        cohesion = strength(flow, problem, increment)
+        if converged and _is_admissible(law, problem, gammas, now.stress, cohesion.stress, 10.0 * limit):
             m = now.mean_stress
             deviator = from_principal(shifted_values(now.stress, -m), axes)
             return Returned(
-                status_of(True), regime, deviator, now.volume, m, now.bulk, now.increment, cohesion.variable,
+                status_of(True), regime, deviator, now.volume, m, now.bulk, increment, cohesion.variable,
                 problem.porosity, 0.0,
             )  # fmt: skip
     return _apex(law, model, flow, problem, values)
 
 
 @inside_kernel
-def _is_admissible(law, gammas, stress, cohesion, limit):
+def _is_admissible(law, problem, gammas, stress, cohesion, limit):
     """Whether a return has flowed forwards, kept the order of the principal stresses and ended on the surface."""
     is_ordered = stress[0] - stress[1] >= -limit and stress[1] - stress[2] >= -limit
-    is_forward = min(gammas[0], gammas[1], gammas[2]) >= 0.0
+    is_forward = min(gammas[0], gammas[1], gammas[2]) >= -limit / problem.shear
     return is_ordered and is_forward and _largest_excess(law, stress, cohesion) <= limit
 
 

@@ -6,6 +6,7 @@ from core_models.updates.back_stress import move_back_stresses
 from core_models.updates.general_problem import (
     ELASTIC,
     Returned,
+    allowance,
     mean_stress,
     return_change,
     return_stress,
@@ -52,8 +53,8 @@ def _search(hardening, flow, problem, rows, k):
             break
     increment = (start.size - strength(flow, problem, 0.0).stress) / (3.0 * problem.shear)
     for _iteration in range(MAXIMUM_ITERATIONS):
-        residual, slope, size = _residual(hardening, flow, problem, increment, rows, k)
-        if abs(residual) <= problem.tolerance * size or high - low <= 1e-15 * high:
+        residual, slope, surface = _residual(hardening, flow, problem, increment, rows, k)
+        if abs(residual) <= allowance(problem, surface, 0.0) or high - low <= 1e-15 * high:
             return True, increment
         if residual > 0.0:
             low = increment
@@ -65,11 +66,11 @@ def _search(hardening, flow, problem, rows, k):
 
 @inside_kernel
 def _residual(hardening, flow, problem, increment, rows, k):
-    """Residual of the equation for dp, its slope, and q(xi_trial)."""
+    """Residual of the equation for dp, its slope, and R + sigma_y."""
     at = shifted(hardening, problem, increment, rows, k)
     now = strength(flow, problem, increment)
     residual = at.reached - 3.0 * problem.shear * increment - now.stress
-    return residual, at.slope - 3.0 * problem.shear - now.slope, at.size
+    return residual, at.slope - 3.0 * problem.shear - now.slope, at.size - at.reached + now.stress
 
 
 @return_change.register(VonMises)

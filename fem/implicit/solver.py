@@ -25,6 +25,7 @@ from fem.implicit.conduction import ImplicitConduction
 from fem.implicit.frequency import lowest_frequency
 from fem.implicit.load_limit import ADVICE, growing_loads
 from fem.implicit.path import Path, make_measure
+from fem.implicit.spurious_modes import refuse_spurious_modes
 from fem.implicit.system import ElementSystem
 from fem.shape_readout import ShapeReadout
 from fem.supports import Supports
@@ -89,6 +90,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
         self.material = material
         self.cure = find_cure(cure, mesh.kind, integration)
         _refuse_without_tangent(mesh.kind, integration, self.cure)
+        refuse_spurious_modes(self.mesh, self.geometry, material, self.cure)
         self.threads = Threads(threads)
         self._body = Body(self.mesh, material, self.geometry, integration, self.cure, DEFAULT, self.threads)
         self.mass = float(self._body.nodal_mass.sum())

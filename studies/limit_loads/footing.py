@@ -7,7 +7,16 @@ from core_models.material import Material
 from meshes.block import block
 from meshes.mesh import Mesh
 from studies.limit_loads.closed_forms import bearing_factor
-from studies.limit_loads.loading import EXPLICIT, IMPLICIT, POINTS, Body, Pace, Record, record
+from studies.limit_loads.loading import (
+    EXPLICIT,
+    IMPLICIT,
+    IMPLICIT_POINTS,
+    POINTS,
+    Body,
+    Pace,
+    Record,
+    record,
+)
 from studies.limit_loads.materials import COHESION, drucker_prager, mohr_coulomb, tresca, von_mises
 from studies.verification.outcome import Criterion, Curve, Outcome, Picture, Plot, Table
 from studies.verification.problem import Problem
@@ -30,7 +39,7 @@ CASES: dict[str, tuple[Material, float]] = {
     "Drucker-Prager": (drucker_prager(FRICTION, "plane-strain"), FRICTION),
 }
 CELLS = {
-    False: {IMPLICIT: (4, 8, 16), EXPLICIT: (4, 8), POINTS: (4, 8)},
+    False: {IMPLICIT: (4, 8, 16), EXPLICIT: (4, 8), POINTS: (4, 8), IMPLICIT_POINTS: (4, 8)},
     True: {IMPLICIT: (4, 8)},
 }
 """Cells under half the footing, by method."""
@@ -126,7 +135,7 @@ def _plot(name: str, exact: float, found: list[Record]) -> Plot:
     curves = [Curve("limit", (0.0, end), (exact, exact), "exact")]
     curves += [
         Curve(each.method, tuple(1e3 * each.values[:, 0]), tuple(each.values[:, 1]),
-              MPM if each.method == POINTS else FEM)
+              MPM if each.method.startswith("mpm") else FEM)
         for each in found
     ]  # fmt: skip
     return Plot(f"{name}, finest cells", "settlement [mm]", "pressure / cohesion", tuple(curves))

@@ -3,7 +3,7 @@
 from core_models.yield_condition.von_mises import VonMises
 from studies.limit_loads.cavity import outcome
 from studies.limit_loads.closed_forms import SPHERE
-from studies.limit_loads.loading import EXPLICIT, IMPLICIT
+from studies.limit_loads.loading import EXPLICIT, IMPLICIT, IMPLICIT_POINTS
 from studies.limit_loads.materials import COHESION, drucker_prager, mohr_coulomb, perfectly_plastic, tresca
 from studies.verification.outcome import Outcome
 from studies.verification.problem import Problem
@@ -12,14 +12,14 @@ FRICTION = 30.0  # degree
 
 
 def run(quick: bool) -> Outcome:
-    """Four conditions by implicit and explicit elements."""
+    """Four conditions by elements, and by implicit material points."""
     cases = {
         "von Mises": (perfectly_plastic(2.0 * COHESION, VonMises()), COHESION, 0.0),
         "Tresca": (tresca(COHESION), COHESION, 0.0),
         "Mohr-Coulomb": (mohr_coulomb(FRICTION), COHESION, FRICTION),
         "Drucker-Prager": (drucker_prager(FRICTION, "compression"), COHESION, FRICTION),
     }
-    return outcome(SPHERE, cases, quick, (IMPLICIT, EXPLICIT))
+    return outcome(SPHERE, cases, quick, (IMPLICIT, EXPLICIT, IMPLICIT_POINTS))
 
 
 PROBLEM = Problem(

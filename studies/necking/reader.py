@@ -10,7 +10,7 @@
   <curve label="" href="" force="column" .../>         a CSV file beside the scene with a column `elongation`
   <expect run="" quantity="" at="" low="" high="" source=""/>
   <agree run="" with="" quantity="" at="" within=""/>
-  <near run="" curve="" quantity="" within="" up_to=""/>
+  <near run="" curve="" quantity="" within="" beyond="" up_to=""/>
   <same_limit runs="a b c" others="d e f" quantity="" at=""/>
   <newton run="" least=""/>  <uniform_peak run="" within=""/>
 </necking>
@@ -192,12 +192,11 @@ def _check(element: etree._Element, scene: NeckingScene) -> Check:
         name, at = _quantity(element)
         return Agreement(run, choice(element, "with", runs), name, required_number(element, "within"), at)
     if element.tag == "near":
-        check_attributes(element, ("run", "curve", "quantity", "within", "up_to"))
+        check_attributes(element, ("run", "curve", "quantity", "within", "beyond", "up_to"))
         curve = choice(element, "curve", tuple(curve.label for curve in scene.curves))
         column = choice(element, "quantity", NeckingHistory.COLUMNS)
-        return Nearness(
-            run, curve, column, required_number(element, "within"), required_number(element, "up_to")
-        )
+        within, up_to = required_number(element, "within"), required_number(element, "up_to")
+        return Nearness(run, curve, column, within, number_attribute(element, "beyond", 0.0), up_to)
     if element.tag == "newton":
         check_attributes(element, ("run", "least"))
         return NewtonOrder(run, required_number(element, "least"))

@@ -74,7 +74,7 @@
       show(data.together ? [{ curve, k }, ...curves.filter((other) => other !== curve).map((other) => ({ curve: other, k: nearest(other.px, x) }))] : [{ curve, k }]);
     };
 
-    svg.addEventListener("pointermove", (event) => {
+    const point = (event) => {
       const box = svg.viewBox.baseVal, size = svg.getBoundingClientRect();
       const x = ((event.clientX - size.left) / size.width) * box.width;
       const y = ((event.clientY - size.top) / size.height) * box.height;
@@ -87,8 +87,11 @@
           if (far < best.far) best = { far, curve, k };
         });
       showAt(best.curve, best.k);
-    });
-    svg.addEventListener("pointerleave", clear);
+    };
+    svg.addEventListener("pointermove", point);
+    svg.addEventListener("pointerdown", point);
+    // A finger leaves when it is lifted: what it has asked for stays until the next tap elsewhere.
+    svg.addEventListener("pointerleave", (event) => event.pointerType === "touch" || clear());
     svg.addEventListener("blur", clear);
     svg.addEventListener("keydown", (event) => {
       if (event.key === "Escape") return clear();

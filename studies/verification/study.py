@@ -51,18 +51,27 @@ LIMIT_LOADS = {
 }
 """Problems of the study of limit loads, in the same form."""
 
-STUDIES = {"verification": PROBLEMS, "limit-loads": LIMIT_LOADS}
+NECKING_COST = {"calculix": ("beside_calculix", "PROBLEM"), "dofs": ("against_dofs", "PROBLEM")}
+"""Problems of the study of what necking costs."""
+
+STUDIES = {"verification": PROBLEMS, "limit-loads": LIMIT_LOADS, "necking-cost": NECKING_COST}
 """Problems of each study."""
+
+_PACKAGES = {
+    "verification": "studies.verification.problems",
+    "limit-loads": "studies.limit_loads",
+    "necking-cost": "studies.necking_cost",
+}
 
 
 def find_problem(name: str) -> Problem:
     """The problem of that name, in whichever study; SceneError with the nearest one otherwise."""
-    problems = PROBLEMS | LIMIT_LOADS
-    if name not in problems:
-        raise SceneError(f"no verification problem is called {name!r}; {suggestion(name, problems)}")
-    module, variable = problems[name]
-    package = "studies.limit_loads" if name in LIMIT_LOADS else "studies.verification.problems"
-    return getattr(import_module(f"{package}.{module}"), variable)
+    for study, problems in STUDIES.items():
+        if name in problems:
+            module, variable = problems[name]
+            return getattr(import_module(f"{_PACKAGES[study]}.{module}"), variable)
+    known = [each for problems in STUDIES.values() for each in problems]
+    raise SceneError(f"no verification problem is called {name!r}; {suggestion(name, known)}")
 
 
 def verify(

@@ -140,27 +140,48 @@ def test_stage_four_is_the_slope_at_saturation(flow_laws):
         assert evolve_hardening(law, 547.18e6, 0.0, 1.0, 298.0)[1] == pytest.approx(stage_four, abs=1e5)
 
 
-@pytest.mark.parametrize(
-    ("rate", "start", "density", "capacity", "printed"),
-    [
-        (1e4, 294.0, 8960.0, 383.0, "285.58 300.41 352.47 317.39 388.38 336.89 435.22 391.34"),
-        (4e3, 696.0, 8930.0, 414.0, "182.74 699.81 224.92 709.88 247.30 721.42 276.13 753.53"),
-    ],
-)
-def test_adiabatic_johnson_cook_curve(rate, start, density, capacity, printed):
-    """Integrated with its own heat at constant plastic rate, copper follows the adiabatic curve."""
-    strains, temperature, stresses, temperatures = np.linspace(0.0, 1.0, 4001), start, [], []
-    for before, after in zip(strains, strains[1:], strict=False):
-        middle = 0.5 * (before + after)
-        first = flow_stress(OFHC, 0.0, middle, rate, temperature)[0]
-        warmer = temperature + 0.5 * 0.9 * first * (after - before) / (density * capacity)
-        mean = flow_stress(OFHC, 0.0, middle, rate, warmer)[0]
-        temperature += 0.9 * mean * (after - before) / (density * capacity)
-        stresses.append(flow_stress(OFHC, 0.0, after, rate, temperature)[0])
+def adiabatic(law, rate, start, density, capacity, end):
+    """Flow stresses [Pa] and temperatures [K] of a point that 0.9 of its plastic work heats, each 1/4000 of strain."""
+    step = 1.0 / 4000
+    heat = 0.9 * step / (density * capacity)
+    temperature, stresses, temperatures = start, [], []
+    for number in range(round(4000 * end)):
+        middle, after = (number + 0.5) * step, (number + 1) * step
+        warmer = temperature + 0.5 * heat * flow_stress(law, 0.0, middle, rate, temperature)[0]
+        temperature += heat * flow_stress(law, 0.0, middle, rate, warmer)[0]
+        stresses.append(flow_stress(law, 0.0, after, rate, temperature)[0])
         temperatures.append(temperature)
-    for strain, stress, kelvin in zip(
-        (0.1, 0.3, 0.5, 1.0), printed.split()[::2], printed.split()[1::2], strict=True
-    ):
+    return np.array(stresses), np.array(temperatures)
+
+
+@pytest.mark.parametrize(
+    ("rate", "start", "density", "capacity", "printed", "top"),
+    [
+        (1e4, 294.0, 8960.0, 383.0,
+         "285.58 300.41 352.47 317.39 388.38 336.89 435.22 391.34 458.18 509.79", ("458.26", 1.933)),
+        (4e3, 696.0, 8930.0, 414.0,
+         "182.74 699.81 224.92 709.88 247.30 721.42 276.13 753.53 290.30 823.21", ("290.33", 1.949)),
+    ],
+)  # fmt: skip
+def test_adiabatic_johnson_cook_curve(rate, start, density, capacity, printed, top):
+    """Heated by its own plastic work at constant rate, copper follows the adiabatic curve to its largest stress."""
+    stresses, temperatures = adiabatic(OFHC, rate, start, density, capacity, 2.0)
+    values = printed.split()
+    for strain, stress, kelvin in zip((0.1, 0.3, 0.5, 1.0, 2.0), values[::2], values[1::2], strict=True):
         row = round(strain * 4000) - 1
         assert_printed(stresses[row], stress)
-        assert temperatures[row] == pytest.approx(float(kelvin), abs=0.005)
+        assert temperatures[row] == pytest.approx(float(kelvin), abs=0.0051)
+    assert_printed(stresses.max(), top[0])
+    assert (stresses.argmax() + 1) / 4000 == pytest.approx(top[1], abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("law", "warmest", "strongest"),
+    [(OFHC, 733.84, 261.977), (OFHC._replace(T_r=298.0, T_m=1793.0), 740.63, 311.715)],
+    ids=["OFHC copper", "with Uintah's default temperatures"],
+)
+def test_adiabatic_johnson_cook_at_a_strain_of_seven_tenths(law, warmest, strongest):
+    """At 4000 /s from 696 K, as for the other laws (test_rate_law_values)."""
+    stresses, temperatures = adiabatic(law, 4e3, 696.0, 8930.0, 414.0, 0.7)
+    assert temperatures[-1] == pytest.approx(warmest, abs=0.0051)
+    assert stresses[-1] / 1e6 == pytest.approx(strongest, abs=0.0011)

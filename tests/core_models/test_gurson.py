@@ -34,8 +34,10 @@ FULL = [[0, 3, 5], [3, 1, 4], [5, 4, 2]]
 """Rows of the intercept table: f, then p and q over sigma_y for (1, 1, 1) and for (1.5, 1, 2.25)."""
 INTERCEPTS = [
     (0.001, 4.60517, 0.9990, 4.33486, 0.9985),
+    (0.005, 3.53221, 0.9950, 3.26190, 0.9925),
     (0.01, 3.07011, 0.9900, 2.79980, 0.9850),
     (0.05, 1.99715, 0.9500, 1.72684, 0.9250),
+    (0.1, 1.53506, 0.9000, 1.26475, 0.8500),
     (0.2, 1.07296, 0.8000, 0.80265, 0.7000),
 ]
 
@@ -79,6 +81,18 @@ def test_intercepts_are_those_of_the_table(row):
         assert yield_function(law, equivalent, 0.0, 1.0, porosity) == pytest.approx(0.0, abs=1e-9)
 
 
+@pytest.mark.parametrize("row", INTERCEPTS)
+def test_equal_pull_on_all_sides_ends_at_the_hydrostatic_limit(row):
+    """Such a body returns to a mean stress of 2 / (3 q2) ln(1 / (q1 f)) sigma_y, at the porosity that it then has."""
+    for law in (PLAIN, TVERGAARD._replace(k=1.0, f_c=0.6)):
+        history = drive_program(
+            metal("hypo", law, VoidNucleation(row[0], 0.0, 0.3, 0.1)), volumetric(0.02, 1.0, steps=2)
+        )
+        porosity = history.fields["porosity"][-1]
+        limit = -2.0 / 3.0 * np.log(law.q1 * porosity) * STRENGTH
+        assert history.stress[-1, :3] == pytest.approx(limit, rel=1e-8)
+
+
 def test_small_strain_curve_of_another_code_is_met():
     """NEML2's uniaxial strain curve (fully implicit, small strain) within 1 %, at every point."""
     strain, axial, lateral = np.loadtxt(NEML2, delimiter=",").T
@@ -95,18 +109,28 @@ def test_small_strain_curve_of_another_code_is_met():
 
 
 @pytest.mark.parametrize(
-    ("start", "strain", "end"), [(0.001, 0.05, 0.04972), (0.01, 0.1, 0.10421), (0.01, 0.01, 0.01985)]
+    ("start", "strain", "end"),
+    [
+        (0.001, 0.01, 0.01094),
+        (0.001, 0.05, 0.04972),
+        (0.001, 0.1, 0.09607),
+        (0.001, 0.2, 0.18209),
+        (0.01, 0.01, 0.01985),
+        (0.01, 0.05, 0.05828),
+        (0.01, 0.1, 0.10421),
+        (0.01, 0.2, 0.18946),
+    ],
 )
 def test_voids_grow_with_the_plastic_volume(start, strain, end):
     """f = 1 - (1 - f_0) exp(-v_p), as in the table; pulled equally on all sides, in four steps."""
-    material = metal("hypo", PLAIN, VoidNucleation(start, 0.0, 0.3, 0.1))
+    material = metal("hypo", PLAIN, VoidNucleation(start, 0.0, 0.3, 0.1), PerfectPlasticity(0.1 * STRENGTH))
     history = drive_program(material, volumetric(strain, 1.0, steps=4))
     grown = history.fields["plastic_volume"][-1]
     assert history.fields["porosity"][-1] == pytest.approx(1.0 - (1.0 - start) * np.exp(-grown), rel=1e-12)
     assert 1.0 - (1.0 - start) * np.exp(-strain) == pytest.approx(end, abs=5e-6)
     assert grown == pytest.approx(strain - history.stress[-1, 0] / material.elasticity.bulk_modulus, rel=1e-6)
     assert yield_function(
-        PLAIN, 0.0, history.stress[-1, 0], STRENGTH, history.fields["porosity"][-1]
+        PLAIN, 0.0, history.stress[-1, 0], 0.1 * STRENGTH, history.fields["porosity"][-1]
     ) == pytest.approx(0.0, abs=1e-8)
 
 

@@ -10,12 +10,12 @@ from core_models.loads import BodyForce, Symmetry, gravity
 from fem import ExplicitSolver
 from meshes.block import block
 from mpm import Solver
-from studies.bar_necking import simo_steel
 from studies.dynamic_relaxation import relaxed
+from studies.necking.reader import read_necking_scene
 from studies.quasi_static import KineticWatch
 
 CELLS = 8
-STEEL = simo_steel()
+STEEL = read_necking_scene("necking-simo").material
 MODULUS = STEEL.elasticity.bulk_modulus + 4.0 / 3.0 * STEEL.elasticity.shear_modulus
 WEIGHT = 5e-4  # density times acceleration times length, over the modulus
 MESH = block((0.0, 0.0), (1.0 / CELLS, 1.0), (1, CELLS))

@@ -22,6 +22,7 @@ const at = (x, y) => svg.dispatchEvent(new PointerEvent("pointermove", {
   clientX: size.left + (x / view.width) * size.width, clientY: size.top + (y / view.height) * size.height,
 }));
 at((box[0] + box[2]) / 2, (box[1] + box[3]) / 2);
+svg.dispatchEvent(new PointerEvent("pointerleave", { pointerType: "touch" }));
 const pointed = document.querySelector(".values").textContent;
 svg.dispatchEvent(new PointerEvent("pointerleave"));
 const left = document.querySelector(".values").textContent;
@@ -83,7 +84,7 @@ def test_the_page_of_a_comparison_is_whole_and_fits_a_phone(fake_solvers, classi
 
 @pytest.mark.parametrize(("count", "log", "told"), [(41, False, "x 0.5x² 0.25"), (5, False, "x 0.5x² 0.25")])
 def test_values_of_curves_show_under_the_pointer(count, log, told, tmp_path):
-    """Many points are read at one abscissa, few at the nearest; the arrow keys do it too; leaving hides them."""
+    """Many points at one abscissa, few at the nearest; by arrow keys too; hidden on leaving, but for a finger."""
     plot = Plot("Parabola", "x", "y", (parabola(count),), log)
     seen = open_page(page(small_report(plot)), tmp_path, HOVER)
     assert seen["errors"] == [] and seen["log"] == []

@@ -1,8 +1,8 @@
-"""Pull a bar or strip until it necks, by implicit and explicit finite elements and the material point method.
+"""Pull a bar or strip until it necks, by finite elements and the material point method, implicit and explicit.
 
 examples:
   matpoint study necking
-  matpoint study necking necking-weldox-damage --methods fem-implicit,mpm-tl
+  matpoint study necking necking-weldox-damage --methods fem-implicit,mpm-implicit
   matpoint study necking --quick --out results/necking
   matpoint study necking --resume results/necking
 
