@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from core_models.equilibrium.order import newton_orders
+from core_models.erosion.delete import DeletePoint
 from core_models.loads import Load, Prescribed, Symmetry
 from core_models.material import Material
 from meshes.mesh import Mesh
@@ -18,6 +19,7 @@ from studies.material_finder import with_update
 from studies.necking.scene import STRIP, NeckingScene, PlannedRun
 from studies.quasi_static import KineticWatch, slow_enough
 
+DELETE = "delete"
 ROWS = 140  # of the history of an explicit run
 START = 0.05  # share of the duration in which an explicit run speeds up
 ELASTIC = 0.15  # share after which the body has taken up much more than its elastic start
@@ -55,6 +57,8 @@ def make_run(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     material = scene.material if plan.update is None else with_update(scene.material, plan.update)
     if plan.damage_radius is not None:
         material = replace(material, damage_radius=plan.damage_radius or None)
+    if plan.erosion == DELETE:
+        material = replace(material, erosion=DeletePoint(material.erosion.decay_time))
     taper = scene.taper if plan.taper is None else plan.taper
     duration = scene.duration if plan.duration is None else plan.duration
     scene = replace(scene, material=material, taper=taper, duration=duration)

@@ -50,7 +50,7 @@ from studies.necking.scene import (
     PlannedRun,
     UniformPeak,
 )
-from studies.necking_methods import METHODS
+from studies.necking_methods import DELETE, METHODS
 from studies.scene_attributes import (
     choice,
     local_file,
@@ -143,6 +143,8 @@ def _run(element: etree._Element) -> PlannedRun:
     plain = {each.name: each.type for each in fields(PlannedRun) if each.name != "options"}
     check_attributes(element, (*plain, *WORDS, *NUMBERS))
     choice(element, "method", tuple(METHODS))
+    if element.get("erosion") is not None:
+        choice(element, "erosion", (DELETE,))
     given: dict[str, Any] = {}
     for name, kind in plain.items():
         if element.get(name) is None:

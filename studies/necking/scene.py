@@ -18,7 +18,8 @@ class PlannedRun:
     the radius and along the half; grading : size at the neck over that at the end. kind : of the elements.
     increments : of an implicit run. periods : of the lowest natural mode that an explicit one takes, 0 for the real
     time and density. conduction : whether heat is conducted. taper, update, duration, damage_radius : in place of the
-    scene's, damage_radius 0 for local damage. options : of the solver.
+    scene's, damage_radius 0 for local damage; erosion 'delete': failed points are out, which an
+    equilibrium cannot bear. options : of the solver.
     quick : whether `--quick` makes it. note : said of it in the report.
     """
 
@@ -35,6 +36,7 @@ class PlannedRun:
     duration: float | None = None
     damage_radius: float | None = None
     conduction: bool = False
+    erosion: str | None = None
     options: dict[str, str | float] = field(default_factory=dict)
     quick: bool = False
     note: str = ""
