@@ -7,6 +7,7 @@ import numpy as np
 
 from core_models.arguments import check_between
 from core_models.equilibrium.checkpoint import RestartableIncrements
+from core_models.equilibrium.load_limit import growing_loads
 from core_models.equilibrium.pattern import Pattern
 from core_models.equilibrium.stepping import QuasiStatic, refuse_damping
 from core_models.errors import UnsupportedError
@@ -20,10 +21,10 @@ from core_models.threads import Threads
 from fem.body import Body
 from fem.cures.choice import NODAL, cures_of, find_cure, make_cure
 from fem.elements import FULL, is_one_point_brick
+from fem.external import ExternalForces
 from fem.hourglass import DEFAULT
 from fem.implicit.conduction import ImplicitConduction
 from fem.implicit.frequency import lowest_frequency
-from fem.implicit.load_limit import ADVICE, growing_loads
 from fem.implicit.path import Path, make_measure
 from fem.implicit.spurious_modes import refuse_spurious_modes
 from fem.implicit.system import ElementSystem
@@ -57,7 +58,9 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
 
     method = "fem-implicit"
     OWN = (("_body", ("scales",)), ("_conduction", ("temperatures",)))
-    ADVICE = ADVICE
+    ADVICE = (
+        "prescribe displacements, or follow the path with path=PathLength(...) or path=BoundaryMotion(...)"
+    )
 
     def __init__(
         self,
@@ -141,8 +144,11 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
             self._ledger.heat += self._conduction.advance(dt, start)
 
     def _growing(self, before: float, after: float) -> str:
-        times = before, after
-        return growing_loads(self._loads, self.mesh, self.geometry, self.nodal_mass, self.positions, times)
+        def forces(load: Load, time: float) -> np.ndarray:
+            external = ExternalForces((load,), self.mesh, self.geometry, self.nodal_mass)
+            return external.at(self.positions, time)
+
+        return growing_loads(self._loads, forces, (before, after))
 
     def _whereabouts(self, point: int) -> str:
         return f" (element {point // (self.points.n // len(self.mesh.cells))})"
