@@ -8,6 +8,7 @@ from typing import NamedTuple
 import pytest
 
 from core_models.cards import read_material, shipped_materials
+from core_models.damage.gurson import VoidNucleation
 from core_models.damage.hancock_mackenzie import HancockMackenzieDamage
 from core_models.damage.johnson_cook import JohnsonCookDamage
 from core_models.errors import CardError, MaterialError
@@ -21,6 +22,7 @@ from core_models.laws import flow_stress
 from core_models.melting.burakovsky_preston_silbar import BurakovskyMelting
 from core_models.shear_modulus.varshni import VarshniShearModulus
 from core_models.specific_heat.constant import ConstantSpecificHeat
+from core_models.yield_condition.gurson import Gurson
 
 STEINBERG = SteinbergCochranGuinan(0.12e9, 36.0, 0.45, 0.0, 0.64e9, 2.83e-11, 3.77e-4, 1790.0, 2.02, 1.5)
 PRESTON = PrestonTonksWallace(
@@ -59,6 +61,10 @@ def _(flow, hardening_variable, plastic_strain, plastic_rate, temperature):
         ({"flow": TabulatedHardening((0.0, 0.2), (1e8, 0.0))}, "stresses = 0.0 Pa is out of its range"),
         ({"flow": Vanishing(1e8)}, "the yield surface shrinks to nothing: the flow stress is -"),
         ({"damage": HancockMackenzieDamage(0.8, 0.7)}, "critical_damage = 0.7 - is not above initial_damage = 0.8"),
+        (
+            {"yield_condition": Gurson(1.5, 1.0, 2.25, 4.0, 0.05), "damage": VoidNucleation(0.3, 0.0, 0.3, 0.1)},
+            "the yield surface has shrunk to nothing at the initial porosity 0.3",
+        ),
         ({"specific_heat": ConstantSpecificHeat(0.0)}, "value = 0.0 J/(kg K) is out of its range"),
         ({"shear_modulus": VarshniShearModulus(80e9, 3e9, 180.0)}, "describe the same stiffness"),
         (

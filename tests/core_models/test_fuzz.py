@@ -25,6 +25,7 @@ from core_models.points import MaterialPoints, PointFailure
 from core_models.state import PointState
 from core_models.status import BEYOND_EOS
 from core_models.updates.conditions import flow_before
+from core_models.updates.general_problem import ROUND_OFF
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.prediction import has_no_strength
 from core_models.yield_condition.gurson import Gurson
@@ -209,9 +210,11 @@ def assert_on_or_inside(points, before, j0, dt, size):
 
 
 def round_off(points):
-    """What a difference of stresses leaves of an elastic energy [J]."""
+    """What a difference of stresses leaves of an elastic energy, and a return that ends next to its surface [J]."""
     stress = max(np.abs(state.stress).max() for state in (points.old, points.new))
-    return points.n * 1e-14 * stress * stress / elastic_moduli(points.material.elasticity)[1]
+    bulk, shear = elastic_moduli(points.material.elasticity)
+    strain = np.abs(points.new.equivalent_plastic_strain - points.old.equivalent_plastic_strain).sum()
+    return points.n * 1e-14 * stress * stress / shear + ROUND_OFF * (bulk + shear) * strain
 
 
 def assert_objective(points, work, turn, dt):
