@@ -5,13 +5,14 @@ import math
 from dataclasses import replace
 from typing import NamedTuple
 
+import numpy as np
 import pytest
 
 from core_models.cards import read_material, shipped_materials
 from core_models.damage.gurson import VoidNucleation
 from core_models.damage.hancock_mackenzie import HancockMackenzieDamage
 from core_models.damage.johnson_cook import JohnsonCookDamage
-from core_models.errors import CardError, MaterialError
+from core_models.errors import CardError, MaterialError, SceneError
 from core_models.flow.linear import LinearHardening
 from core_models.flow.mts import MechanicalThreshold
 from core_models.flow.preston_tonks_wallace import PrestonTonksWallace
@@ -20,6 +21,7 @@ from core_models.flow.tabulated import TabulatedHardening
 from core_models.flow.voce import Voce
 from core_models.laws import flow_stress
 from core_models.melting.burakovsky_preston_silbar import BurakovskyMelting
+from core_models.points import MaterialPoints
 from core_models.shear_modulus.varshni import VarshniShearModulus
 from core_models.specific_heat.constant import ConstantSpecificHeat
 from core_models.yield_condition.gurson import Gurson
@@ -139,3 +141,22 @@ def test_preston_without_p_is_the_limit(copper):
     at = (0.0, 0.1, 1e3, 300.0)
     limit = flow_stress(copper("hypo", PRESTON).flow, *at)[0]
     assert limit == pytest.approx(flow_stress(PRESTON._replace(p=1e-7), *at)[0], rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("build", "told"),
+    [
+        (lambda m: MaterialPoints(m, np.array([1.0, math.nan])), "a reference volume of nan m^3"),
+        (lambda m: MaterialPoints(m, -np.ones(1)), "a reference volume of -1 m^3"),
+        (lambda m: MaterialPoints(m, np.ones(1), temperature=-3.0), "a temperature of -3 K"),
+        (lambda m: MaterialPoints(m, np.ones(1)).advance(0.0), "a time step must be positive, not 0 s"),
+        (
+            lambda m: MaterialPoints(m, np.ones(1)).advance(math.nan),
+            "a time step must be positive, not nan s",
+        ),
+    ],
+)
+def test_points_refuse_what_no_body_has(copper, build, told):
+    """Volumes, temperatures and time steps that are negative or no numbers: a typed error, before any kernel runs."""
+    with pytest.raises(SceneError, match=told.replace("^", r"\^")):
+        build(copper("hypo", "linear"))

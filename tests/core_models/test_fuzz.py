@@ -210,11 +210,14 @@ def assert_on_or_inside(points, before, j0, dt, size):
 
 
 def round_off(points):
-    """What a difference of stresses leaves of an elastic energy, and a return that ends next to its surface [J]."""
+    """What work and elastic energy are known to [J]: round-off of stresses and of the deformation gradient, and a
+    return that ends next to its surface.
+    """
     stress = max(np.abs(state.stress).max() for state in (points.old, points.new))
     bulk, shear = elastic_moduli(points.material.elasticity)
     strain = np.abs(points.new.equivalent_plastic_strain - points.old.equivalent_plastic_strain).sum()
-    return points.n * 1e-14 * stress * stress / shear + ROUND_OFF * (bulk + shear) * strain
+    elastic = points.n * (1e-14 * stress * stress / shear + ROUND_OFF * stress)
+    return elastic + ROUND_OFF * (bulk + shear) * strain
 
 
 def assert_objective(points, work, turn, dt):
