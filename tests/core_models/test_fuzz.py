@@ -215,7 +215,10 @@ def round_off(points):
     """
     stress = max(np.abs(state.stress).max() for state in (points.old, points.new))
     bulk, shear = elastic_moduli(points.material.elasticity)
-    strain = np.abs(points.new.equivalent_plastic_strain - points.old.equivalent_plastic_strain).sum()
+    new, old = points.new, points.old
+    strain = np.abs(new.equivalent_plastic_strain - old.equivalent_plastic_strain).sum()
+    if new.plastic_volume is not None:
+        strain += np.abs(new.plastic_volume - old.plastic_volume).sum()
     elastic = points.n * (1e-14 * stress * stress / shear + ROUND_OFF * stress)
     return elastic + ROUND_OFF * (bulk + shear) * strain
 
