@@ -8,7 +8,10 @@ import numpy as np
 from core_models.material import Material
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 
-FRACTURED = 0.1  # of the largest force: what is left when a bar is called broken
+FRACTURED, DROPPED = (
+    0.1,
+    0.5,
+)  # of the largest force: what is left when a bar is broken, when its load has dropped
 
 
 class NeckingHistory:
@@ -134,23 +137,17 @@ def at_elongation(history: NeckingHistory, column: str, elongation: float) -> fl
     )
 
 
-def fracture_elongation(history: NeckingHistory) -> float | None:
-    """Elongation [m] at which the force has fallen to a tenth of the largest; None where it has not."""
+def fall_to(history: NeckingHistory, share: float) -> float | None:
+    """Elongation [m] at which the force has fallen to a share of the largest; None where it has not."""
     u, force = history.column("elongation"), history.column("force")
     largest = int(force.argmax())
-    low = np.flatnonzero(force[largest:] < FRACTURED * force[largest])
+    wanted = share * force[largest]
+    low = np.flatnonzero(force[largest:] < wanted)
     if not len(low):
         return None
     i = largest + int(low[0])
-    share = (force[i - 1] - FRACTURED * force[largest]) / (force[i - 1] - force[i])
-    return float(u[i - 1] + share * (u[i] - u[i - 1]))
-
-
-def load_drop(history: NeckingHistory) -> float:
-    """Elongation [m] at which the force falls most steeply: where a bar with damage tears."""
-    u, force = history.column("elongation"), history.column("force")
-    steepest = int(np.argmin(np.diff(force) / np.diff(u)))
-    return float(0.5 * (u[steepest] + u[steepest + 1]))
+    part = (force[i - 1] - wanted) / (force[i - 1] - force[i])
+    return float(u[i - 1] + part * (u[i] - u[i - 1]))
 
 
 def first_failure(history: NeckingHistory) -> tuple[float | None, float | None]:
@@ -173,8 +170,8 @@ QUANTITIES = {
     "elongation_at_peak": lambda history: peak(history)[0],
     "force_at_end": lambda history: float(history.column("force")[-1]),
     "neck_radius_at_end": lambda history: float(history.column("neck_radius")[-1]),
-    "fracture_elongation": fracture_elongation,
-    "load_drop": load_drop,
+    "fracture_elongation": lambda history: fall_to(history, FRACTURED),
+    "load_drop": lambda history: fall_to(history, DROPPED),
     "first_failure": lambda history: first_failure(history)[0],
     "place_of_first_failure": lambda history: first_failure(history)[1],
 }

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from core_models.equilibrium.order import newton_orders
+from core_models.erosion.delete import DeletePoint
 from core_models.loads import Load, Prescribed, Symmetry
 from core_models.material import Material
 from meshes.mesh import Mesh
@@ -18,6 +19,7 @@ from studies.material_finder import with_update
 from studies.necking.scene import STRIP, NeckingScene, PlannedRun
 from studies.quasi_static import KineticWatch, slow_enough
 
+DELETE = "delete"
 ROWS = 140  # of the history of an explicit run
 START = 0.05  # share of the duration in which an explicit run speeds up
 ELASTIC = 0.15  # share after which the body has taken up much more than its elastic start
@@ -55,6 +57,8 @@ def make_run(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     material = scene.material if plan.update is None else with_update(scene.material, plan.update)
     if plan.damage_radius is not None:
         material = replace(material, damage_radius=plan.damage_radius or None)
+    if plan.erosion == DELETE:
+        material = replace(material, erosion=DeletePoint(material.erosion.decay_time))
     taper = scene.taper if plan.taper is None else plan.taper
     duration = scene.duration if plan.duration is None else plan.duration
     scene = replace(scene, material=material, taper=taper, duration=duration)
@@ -118,7 +122,7 @@ def _static(scene: NeckingScene, plan: PlannedRun, make: Callable) -> NeckingRun
     began = time.process_time()
     solver = make(
         body_of(scene, plan), material=scene.material, loads=loads_of(scene, scene.pull / scene.duration),
-        increment=scene.duration / plan.increments, geometry=_geometry(scene), **plan.options,
+        increment=scene.duration / plan.increments, geometry=_geometry(scene), **_options(plan),
     )  # fmt: skip
     watch = NeckingWatch(solver, scene.body != STRIP)
     while solver.time < scene.duration:
@@ -139,9 +143,7 @@ def _explicit(scene: NeckingScene, plan: PlannedRun, make: Callable, crowd: int 
     if plan.periods > 0.0:
         material = _slowed(scene, plan.periods)
     loads = loads_of(scene, lambda _places, t: speed * min(t / start, 1.0))
-    solver = make(
-        body, material=material, loads=loads, geometry=_geometry(scene), conduction=plan.conduction, **plan.options
-    )  # fmt: skip
+    solver = make(body, material=material, loads=loads, geometry=_geometry(scene), **_options(plan))
     watch, kinetic = NeckingWatch(solver, scene.body != STRIP), KineticWatch(ELASTIC * scene.duration)
     for row in range(ROWS):
         # Elastic waves run through the bar: a row's force is the mean over the time since the row before.
@@ -169,6 +171,10 @@ def _slowed(scene: NeckingScene, periods: float) -> Material:
 
 def _shape(solver) -> tuple[np.ndarray, np.ndarray]:
     return solver.domains(), solver.points.old.equivalent_plastic_strain.copy()
+
+
+def _options(plan: PlannedRun) -> dict[str, Any]:
+    return {**plan.options, "conduction": True} if plan.conduction else dict(plan.options)
 
 
 def _geometry(scene: NeckingScene) -> str:

@@ -14,7 +14,7 @@ from core_models.equilibrium.condition import condition_number
 from core_models.equilibrium.free_motion import free_motion
 from core_models.equilibrium.pattern import Pattern
 from core_models.equilibrium.stepping import QuasiStatic, refuse_damping
-from core_models.errors import UnsupportedError
+from core_models.errors import SingularStiffness, UnsupportedError
 from core_models.geometry import Axisymmetric, find_geometry
 from core_models.load_checks import check_loads
 from core_models.loads import Load
@@ -37,6 +37,9 @@ from mpm.interpolation.catalogue import check_interpolation
 from mpm.particles import GAUSS, domain_corners
 
 GHOST = 1e-4
+SINGULAR = 1e15
+"""Condition number from which the stiffness counts as singular."""
+
 OWN_SHARE = {"linear": 0.0, "quadratic": 0.1, "cubic": 0.1}
 """Share alpha of its own change of volume that a particle keeps under the cure (mpm.implicit.deformation).
 
@@ -183,6 +186,16 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
     def _free_motion(self) -> str:
         held = self._supports.fixed | self._weak.reached
         return free_motion(self._nodes, held, self.geometry)
+
+    def _refuse_free_motion(self) -> None:
+        super()._refuse_free_motion()
+        condition = self.log.records[0].condition
+        if not condition < SINGULAR:
+            raise SingularStiffness(
+                f"the stiffness is singular, its condition number {condition:.1e}: {self.points.n} particles in "
+                f"{self.cells} cells do not see every motion of the grid; give a finer mesh, so that each cell has two "
+                "particles or more along every edge, or larger cells"
+            )
 
     def _carry(self) -> None:
         """Let the particles go where the grid is; their velocities are those of the last increment."""

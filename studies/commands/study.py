@@ -17,7 +17,7 @@ from studies.options import Parser
 
 STUDIES = {
     "verification": "problems with known answers, by both methods",
-    "necking": "a bar pulled until it necks, implicitly and explicitly",
+    "necking": "bars and strips pulled until they neck, by five methods",
     "necking-cost": "implicit necking: time against degrees of freedom, and beside CalculiX",
     "limit-loads": "slow loads until a body flows, against closed forms, by three methods",
     "experiments": "85 Taylor shots against flow laws and methods",

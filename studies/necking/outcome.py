@@ -88,12 +88,8 @@ def _in_the_neck(scene: NeckingScene, label: str, run) -> Table:
     for u in _marks(scene):
         values = [at_elongation(run.history, name, u) for name in names]
         if None not in values:
-            rows.append(
-                (
-                    f"{1e3 * u:.3g} mm",
-                    *(NECK[name][1] * value for name, value in zip(names, values, strict=True)),
-                )
-            )
+            scaled = [NECK[name][1] * value for name, value in zip(names, values, strict=True)]
+            rows.append((f"{1e3 * u:.3g} mm", *scaled))
     head = ("elongation", *(NECK[name][0] for name in names))
     note = (
         "Bridgman: from the mean axial stress over the neck's section and the measured profile, the flow stress by his "

@@ -10,7 +10,7 @@
   <curve label="" href="" force="column" .../>         a CSV file beside the scene with a column `elongation`
   <expect run="" quantity="" at="" low="" high="" source=""/>
   <agree run="" with="" quantity="" at="" within=""/>
-  <near run="" curve="" quantity="" within="" up_to=""/>
+  <near run="" curve="" quantity="" within="" beyond="" up_to=""/>
   <same_limit runs="a b c" others="d e f" quantity="" at=""/>
   <newton run="" least=""/>  <uniform_peak run="" within=""/>
 </necking>
@@ -50,7 +50,7 @@ from studies.necking.scene import (
     PlannedRun,
     UniformPeak,
 )
-from studies.necking_methods import METHODS
+from studies.necking_methods import DELETE, METHODS
 from studies.scene_attributes import (
     choice,
     local_file,
@@ -143,6 +143,8 @@ def _run(element: etree._Element) -> PlannedRun:
     plain = {each.name: each.type for each in fields(PlannedRun) if each.name != "options"}
     check_attributes(element, (*plain, *WORDS, *NUMBERS))
     choice(element, "method", tuple(METHODS))
+    if element.get("erosion") is not None:
+        choice(element, "erosion", (DELETE,))
     given: dict[str, Any] = {}
     for name, kind in plain.items():
         if element.get(name) is None:
@@ -192,12 +194,11 @@ def _check(element: etree._Element, scene: NeckingScene) -> Check:
         name, at = _quantity(element)
         return Agreement(run, choice(element, "with", runs), name, required_number(element, "within"), at)
     if element.tag == "near":
-        check_attributes(element, ("run", "curve", "quantity", "within", "up_to"))
+        check_attributes(element, ("run", "curve", "quantity", "within", "beyond", "up_to"))
         curve = choice(element, "curve", tuple(curve.label for curve in scene.curves))
         column = choice(element, "quantity", NeckingHistory.COLUMNS)
-        return Nearness(
-            run, curve, column, required_number(element, "within"), required_number(element, "up_to")
-        )
+        within, up_to = required_number(element, "within"), required_number(element, "up_to")
+        return Nearness(run, curve, column, within, number_attribute(element, "beyond", 0.0), up_to)
     if element.tag == "newton":
         check_attributes(element, ("run", "least"))
         return NewtonOrder(run, required_number(element, "least"))

@@ -17,8 +17,9 @@ class PlannedRun:
     name : in the scene. method : of `studies.necking.methods`. across, along : elements, for material points cells, in
     the radius and along the half; grading : size at the neck over that at the end. kind : of the elements.
     increments : of an implicit run. periods : of the lowest natural mode that an explicit one takes, 0 for the real
-    time and density. conduction : of heat, in explicit runs. taper, update, duration, damage_radius : in place of the
-    scene's, damage_radius 0 for local damage. options : of the solver.
+    time and density. conduction : whether heat is conducted. taper, update, duration, damage_radius : in place of the
+    scene's, damage_radius 0 for local damage; erosion 'delete': failed points are out, which an
+    equilibrium cannot bear. options : of the solver.
     quick : whether `--quick` makes it. note : said of it in the report.
     """
 
@@ -35,6 +36,7 @@ class PlannedRun:
     duration: float | None = None
     damage_radius: float | None = None
     conduction: bool = False
+    erosion: str | None = None
     options: dict[str, str | float] = field(default_factory=dict)
     quick: bool = False
     note: str = ""
@@ -71,12 +73,13 @@ class Agreement:
 
 @dataclass(frozen=True)
 class Nearness:
-    """A column of a run must be within a relative distance of a reference curve up to an elongation [m]."""
+    """A column of a run must be within a relative distance of a reference curve between two elongations [m]."""
 
     run: str
     curve: str
     quantity: str
     within: float
+    beyond: float
     up_to: float
 
 

@@ -109,7 +109,7 @@ def _agreement(check: Agreement, scene: NeckingScene, runs: Runs) -> Criterion:
 def _nearness(check: Nearness, scene: NeckingScene, runs: Runs) -> Criterion:
     curve = next(curve for curve in scene.curves if curve.label == check.curve)
     x, y = read_curve(curve, check.quantity)
-    within = x <= check.up_to
+    within = (x >= check.beyond) & (x <= check.up_to)
     history = runs[check.run].history
     ours = np.interp(x[within], history.column("elongation"), history.column(check.quantity))
     apart = ours / y[within] - 1.0

@@ -14,6 +14,7 @@ from core_models.laws import elastic_moduli
 from core_models.material import SLOTS as MATERIAL_SLOTS
 from core_models.material import Material, laws_for
 from core_models.paths import simple_shear
+from core_models.points import MaterialPoints
 from core_models.schema import SLOTS
 from core_models.yield_condition.gurson import Gurson
 from studies.compatibility_text import compatibility_text
@@ -77,6 +78,21 @@ def test_every_pair_of_laws_is_driven_or_refused(update, slots):
             history = drive(material(update, laws), PATH, 1e-6)
             assert np.isfinite(history.stress).all() and np.isfinite(history.stress_work).all()
             assert history.mises[-1] > 1e6
+
+
+@pytest.mark.usefixtures("interpreted")
+@pytest.mark.parametrize("update", SAMPLES["update"][:2], ids=lambda law: type(law).__name__)
+@pytest.mark.parametrize("damage", SAMPLES["damage"], ids=lambda law: type(law).__name__)
+def test_every_damage_can_be_nonlocal(update, damage):
+    """Points that a step leaves alone get a share of the damage of their neighbours, whatever the law."""
+    points = MaterialPoints(material(update, {"damage": damage, "damage_radius": 2.5}), np.ones(3))
+    points.connect(np.arange(3.0)[:, None])
+    before = points.old.damage.copy()
+    points.deformation_gradient[0] += 0.05 * np.eye(3)[[1, 0, 2]]
+    points.advance(1e-3)
+    points.accept()
+    growth = points.old.damage - before
+    assert 0.0 < growth[2] < growth[1] < growth[0]
 
 
 @pytest.mark.parametrize("clash", CLASHES, ids=lambda clash: f"{clash.slot}-{clash.other}-{clash.why[:20]}")

@@ -1,14 +1,14 @@
 """Whatever a point goes through: its stress is a number, on or inside the yield surface, objective; work is dissipated.
 
-Hypothesis draws parameters, paths, steps, temperatures and rates over a fixed pool of compiled materials. The suite
-takes few draws over materials that other tests compile as well; the long run is
+Hypothesis draws parameters, paths, steps, temperatures and rates over a fixed pool of materials. The suite takes draws
+over materials that other tests compile as well, and a few over the whole pool in plain Python; the long run compiles
+the whole pool:
 
     MATPOINT_FUZZ_DRAWS=100000 python -m pytest tests/core_models/test_fuzz.py
 """
 
 import os
 from dataclasses import replace
-from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
@@ -16,47 +16,26 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from core_models.compatibility import clashes
 from core_models.errors import MaterialError
 from core_models.laws import elastic_moduli, flow_stress
-from core_models.material import Material
 from core_models.paths import rotations
 from core_models.points import MaterialPoints, PointFailure
 from core_models.state import PointState
 from core_models.status import BEYOND_EOS
 from core_models.updates.conditions import flow_before
-from core_models.updates.general_problem import ROUND_OFF
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.prediction import has_no_strength
 from core_models.yield_condition.gurson import Gurson
 from core_models.yield_condition.gurson_flow import CLOSED
-from studies.sample_laws import DENSITY, SAMPLES
+from tests.core_models.fuzz_pool import LARGEST_POOL, covering_pool, general_materials
 from tests.core_models.yield_excess import excess, mises
 
 DRAWS = int(os.environ.get("MATPOINT_FUZZ_DRAWS", "2000"))
+PLAIN_DRAWS = 400
 IS_LONG = "MATPOINT_FUZZ_DRAWS" in os.environ
 FEW = ("hypo-jc-hot", "hyper-jc-hot", "hyper-mts-hot", "hypo-linear", "hyper-voce", "hypo-power")
-LARGEST_POOL = 40
-AXES = {
-    "update": [*SAMPLES["update"][:2], SAMPLES["update"][1]],  # the one that clashes more often twice
-    "elasticity": SAMPLES["elasticity"],
-    "eos": [None, *SAMPLES["eos"]],
-    "flow": SAMPLES["flow"],
-    "yield_condition": SAMPLES["yield_condition"],
-    "kinematic_hardening": [None, *SAMPLES["kinematic_hardening"]],
-    "shear_modulus": [None, *SAMPLES["shear_modulus"]],
-    "damage": [None, *SAMPLES["damage"]],
-    "melting": [None, *SAMPLES["melting"]],
-    "heating": [None, SAMPLES["heating"][0]],
-    "specific_heat": SAMPLES["specific_heat"],
-    "expansion": [None, *SAMPLES["expansion"]],
-    "erosion": [None, *SAMPLES["erosion"]],
-    "stability": [None, *SAMPLES["stability"]],
-    "objective_rate": [None, *SAMPLES["objective_rate"]],
-}
-VARIED = ("flow", "yield_condition", "kinematic_hardening", "damage")
 SHARES = (1.0, 0.5, 0.0)  # of the displacement gradient of the first point that the others get
-RADII = (None, 1.5)  # of nonlocal damage, over points that lie 1 apart [m]
+VARIED = ("flow", "yield_condition", "kinematic_hardening", "damage")
 
 
 class Step(NamedTuple):
@@ -75,77 +54,16 @@ class Draw(NamedTuple):
     seed: int
 
 
-class Laws(NamedTuple):
-    """Laws by slot, of which each axis gives one."""
-
-    update: tuple
-    elasticity: tuple
-    eos: tuple
-    flow: tuple
-    yield_condition: tuple
-    kinematic_hardening: tuple
-    shear_modulus: tuple
-    damage: tuple
-    melting: tuple
-    heating: tuple
-    specific_heat: tuple
-    expansion: tuple
-    erosion: tuple
-    stability: tuple
-    objective_rate: tuple
-
-
-def random_laws(random):
-    """Laws that the table lets together: drawn at random, those that clash again and again."""
-    picks = {slot: int(random.integers(len(laws))) for slot, laws in AXES.items()}
-    while True:
-        laws = Laws(**{slot: AXES[slot][number] for slot, number in picks.items()})
-        clash = next(clashes(laws), None)
-        if clash is None:
-            return picks, laws
-        slot = random.choice([slot for slot in (clash.slot, clash.other) if len(AXES[slot]) > 1])
-        picks[slot] = int(random.integers(len(AXES[slot])))
-
-
-def covering_pool():
-    """At most 40 materials, each of which adds as many new pairs of laws as 60 random ones offer."""
-    random = np.random.default_rng(0)
-    seen, pool = set(), []
-    for number in range(LARGEST_POOL):
-        drawn = [random_laws(random) for _attempt in range(60)]
-        picks, laws = max(drawn, key=lambda each: len(set(combinations(each[0].items(), 2)) - seen))
-        seen |= set(combinations(picks.items(), 2))
-        radius = None if laws.damage is None else RADII[number % 2]
-        pool.append(Material(f"fuzz-{number}", DENSITY, **laws._asdict(), damage_radius=radius))
-    return pool
-
-
-def general_materials():
-    """Materials whose return is a local problem, of the types that other tests compile as far as there are any."""
-    hypo, hyper = SAMPLES["update"][:2]
-    rest = {"elasticity": SAMPLES["elasticity"][0], "eos": SAMPLES["eos"][0], "flow": SAMPLES["flow"][1]}
-    von_mises, cone, pyramid, porous = SAMPLES["yield_condition"]
-    prager, _ziegler, frederick, _chaboche = SAMPLES["kinematic_hardening"]
-    voids, crystal = SAMPLES["damage"][-1], SAMPLES["elasticity"][1]
-    hot = {slot: SAMPLES[slot][0] for slot in ("heating", "specific_heat", "melting")}
-    hot |= {"eos": SAMPLES["eos"][2], "flow": SAMPLES["flow"][6]}
-    slots = (
-        {"yield_condition": porous, "damage": voids, "damage_radius": RADII[1]},
-        {"update": hyper, "yield_condition": porous, "damage": voids, **hot},
-        {"yield_condition": cone, "kinematic_hardening": prager},
-        {"yield_condition": pyramid, "flow": SAMPLES["flow"][0]},
-        {"yield_condition": von_mises, "kinematic_hardening": frederick},
-        {"yield_condition": von_mises, "kinematic_hardening": frederick, "elasticity": crystal, "eos": None},
-    )
-    return [
-        Material(f"general-{i}", DENSITY, **({"update": hypo} | rest | own)) for i, own in enumerate(slots)
-    ]
+@pytest.fixture(scope="module")
+def whole_pool():
+    """All materials of the long run."""
+    return covering_pool()
 
 
 @pytest.fixture(scope="module")
-def materials(pool):
+def materials(pool, whole_pool):
     """The pool of the run."""
-    return covering_pool() if IS_LONG else [*(pool[name] for name in FEW), *general_materials()]
+    return whole_pool if IS_LONG else [*(pool[name] for name in FEW), *general_materials()]
 
 
 def varied(material, random):
@@ -209,18 +127,15 @@ def assert_on_or_inside(points, before, j0, dt, size):
         assert excess(material.yield_condition, stress, low, porosity) >= -allowed
 
 
-def round_off(points):
-    """What work and elastic energy are known to [J]: round-off of stresses and of the deformation gradient, and a
-    return that ends next to its surface.
+def round_off(points, size):
+    """What is left of an elastic energy, and of the work of a mean stress, where stresses are differences, and of work,
+    where strains are those of a deformation gradient near 1 [J].
     """
-    stress = max(np.abs(state.stress).max() for state in (points.old, points.new))
     bulk, shear = elastic_moduli(points.material.elasticity)
-    new, old = points.new, points.old
-    strain = np.abs(new.equivalent_plastic_strain - old.equivalent_plastic_strain).sum()
-    if new.plastic_volume is not None:
-        strain += np.abs(new.plastic_volume - old.plastic_volume).sum()
-    elastic = points.n * (1e-14 * stress * stress / shear + ROUND_OFF * stress)
-    return elastic + ROUND_OFF * (bulk + shear) * strain
+    stress = max(np.abs(state.stress).max() for state in (points.old, points.new))
+    if points.new.plastic_volume is not None:
+        size = max(size, np.abs(points.new.plastic_volume - points.old.plastic_volume).max())
+    return points.n * (1e-14 * stress * stress / shear + 1e-15 * (bulk * size + stress))
 
 
 def assert_objective(points, work, turn, dt):
@@ -253,7 +168,7 @@ def lead(points, steps, random):
         dt = max(step.size, 1e-9) / 10.0**step.rate
         try:
             work = points.advance(dt)
-            assert work.plastic >= -round_off(points)
+            assert work.plastic >= -round_off(points, step.size)
             assert_on_or_inside(points, before, np.linalg.det(f0), dt, step.size)
             if points.material.objective_rate is None:
                 assert_objective(points, work, turn, dt)
@@ -269,20 +184,18 @@ def lead(points, steps, random):
             assert np.isfinite(points.stability()).all()
 
 
-@settings(
-    max_examples=DRAWS, deadline=None, database=None, suppress_health_check=list(HealthCheck), print_blob=True
+DRAW = st.builds(
+    Draw,
+    st.integers(0, LARGEST_POOL - 1),
+    st.floats(1.0, 4000.0),
+    st.lists(st.builds(Step, st.floats(0.0, 0.5), st.floats(-8.0, 8.0)), min_size=1, max_size=3),
+    st.integers(0, 2**32 - 1),
 )
-@given(
-    draw=st.builds(
-        Draw,
-        st.integers(0, LARGEST_POOL - 1),
-        st.floats(1.0, 4000.0),
-        st.lists(st.builds(Step, st.floats(0.0, 0.5), st.floats(-8.0, 8.0)), min_size=1, max_size=3),
-        st.integers(0, 2**32 - 1),
-    )
-)
-def test_no_draw_breaks_a_point(materials, draw):
-    """Finite, on or inside the yield surface to 1e-8, dissipation not negative, objective; typed errors only."""
+common = settings(deadline=None, database=None, suppress_health_check=list(HealthCheck), print_blob=True)
+
+
+def try_draw(materials, draw):
+    """Make the material of a draw and lead it."""
     random = np.random.default_rng(draw.seed)
     try:
         material = varied(materials[draw.material % len(materials)], random)
@@ -292,3 +205,19 @@ def test_no_draw_breaks_a_point(materials, draw):
     points = MaterialPoints(material, np.ones(count), temperature=draw.temperature)
     points.connect(np.arange(float(count))[:, None])
     lead(points, draw.steps, random)
+
+
+@settings(common, max_examples=DRAWS)
+@given(draw=DRAW)
+def test_no_draw_breaks_a_point(materials, draw):
+    """Finite, on or inside the yield surface to 1e-8, dissipation not negative, objective; typed errors only."""
+    try_draw(materials, draw)
+
+
+@pytest.mark.skipif(IS_LONG, reason="the long run takes the whole pool, compiled")
+@pytest.mark.usefixtures("interpreted")
+@settings(common, max_examples=PLAIN_DRAWS)
+@given(draw=DRAW)
+def test_no_draw_breaks_a_point_of_the_whole_pool(whole_pool, draw):
+    """The same for every law, in plain Python."""
+    try_draw(whole_pool, draw)

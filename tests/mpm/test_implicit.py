@@ -373,6 +373,20 @@ def test_missing_support_is_told_by_its_motion(geometry, loads, told):
     assert caught.value.exit_status == 3
 
 
+def test_too_few_particles_are_told():
+    """Where particles are farther apart than cells, motions between them cost nothing: refused with the numbers."""
+    mesh = block([0.0, 0.0], [4.0 * H, 4.0 * H], [4, 4])
+    with pytest.raises(SingularStiffness, match="64 particles in 64 cells.*give a finer mesh"):
+        solve(
+            mesh,
+            (Fixed("bottom"),),
+            geometry="plane-strain",
+            interpolation="cubic",
+            cell_size=0.4 * H,
+            ghost=0.0,
+        )
+
+
 @pytest.mark.parametrize(
     ("options", "error", "told"),
     [

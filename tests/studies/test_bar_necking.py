@@ -16,8 +16,8 @@ from studies.bar_necking import (
     NeckingHistory,
     at_elongation,
     bridgman_factor,
+    fall_to,
     first_failure,
-    fracture_elongation,
     neck_curvature,
     peak,
     uniform_peak,
@@ -110,10 +110,10 @@ def test_fracture_and_first_failure_are_read_from_the_curve():
         failed=[0.0, 0.0, 0.1, 0.2],
         failed_place=[0.0, 0.0, 0.25, 0.25],
     )
-    assert fracture_elongation(made) == pytest.approx(2.0 + 5.0 / 6.0)
+    assert fall_to(made, 0.1) == pytest.approx(2.0 + 5.0 / 6.0)
     assert first_failure(made) == (2.0, 0.25)
     whole = history([0.0, 1.0], [0.0, 2.0])
-    assert fracture_elongation(whole) is None and first_failure(whole) == (None, None)
+    assert fall_to(whole, 0.1) is None and first_failure(whole) == (None, None)
 
 
 def test_coarse_bar_necks_near_the_other_codes():
