@@ -1,5 +1,6 @@
 """Material points: what a particle of the material point method and a quadrature point of a finite element share."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -9,13 +10,15 @@ from core_models.at_rest import bulk_at_rest, initial_state, initial_wave_speed
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.compilation import CHUNK
 from core_models.errors import RunFailure, UnsupportedError
+from core_models.geometry import Geometry
 from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points
 from core_models.laws import (
     damage_of_porosity,
     stability_measure,
 )
 from core_models.material import Material
-from core_models.nonlocal_average import NonlocalAverage
+from core_models.mirror_images import Plane
+from core_models.nonlocal_average import SPATIAL, NonlocalAverage
 from core_models.rows import make_workspace
 from core_models.status import MEANING, OK
 from core_models.threads import Threads
@@ -191,14 +194,17 @@ class MaterialPoints:
             float(largest[PRESSURE]),
         )  # fmt: skip
 
-    def connect(self, positions: np.ndarray) -> None:
+    def connect(
+        self, positions: np.ndarray, geometry: Geometry = SPATIAL, planes: Sequence[Plane] = ()
+    ) -> None:
         """Prepare the average of a nonlocal damage, if the material asks for one.
 
-        positions : of the points in the reference body (n, d) [m].
+        positions : of the points in the reference body (n, d) [m]. geometry : of these coordinates. planes : of
+        symmetry, in which the body is continued.
         """
         radius = self.material.damage_radius
         if radius is not None:
-            self._average = NonlocalAverage(positions, self.reference_volumes, radius)
+            self._average = NonlocalAverage(positions, self.reference_volumes, radius, geometry, planes)
 
     def accept(self) -> None:
         """Make the new state the old one."""
