@@ -1,21 +1,24 @@
 """Material points: what a particle of the material point method and a quadrature point of a finite element share."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 
-from core_models.arguments import require_writable
+from core_models.arguments import check_not_negative, check_step, require_writable
 from core_models.at_rest import bulk_at_rest, initial_state, initial_wave_speed
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.compilation import CHUNK
 from core_models.errors import RunFailure, UnsupportedError
+from core_models.geometry import Geometry
 from core_models.kernels import PLASTIC, PRESSURE, SPEED, VISCOUS, WORK, advance_points
 from core_models.laws import (
     damage_of_porosity,
     stability_measure,
 )
 from core_models.material import Material
-from core_models.nonlocal_average import NonlocalAverage
+from core_models.mirror_images import Plane
+from core_models.nonlocal_average import SPATIAL, NonlocalAverage
 from core_models.rows import make_workspace
 from core_models.status import MEANING, OK
 from core_models.threads import Threads
@@ -79,6 +82,8 @@ class MaterialPoints:
 
     `advance` reads the state `old` and writes `new`; `accept` makes the new state the old one. A step that is
     rejected is simply advanced again.
+
+    Raises SceneError for volumes and temperatures that are negative or not finite, and for steps that are not positive.
     """
 
     def __init__(
@@ -95,8 +100,10 @@ class MaterialPoints:
         self.viscosity = viscosity
         self.reference_volumes = np.ascontiguousarray(reference_volumes, dtype=np.float64)
         self.n = len(self.reference_volumes)
+        check_not_negative("a reference volume", self.reference_volumes, "m^3")
         self.threads = threads or Threads(1)
         start = material.room_temperature if temperature is None else temperature
+        check_not_negative("a temperature", start, "K")
         self.old = initial_state(material, self.n, start, conduction)
         self.new = initial_state(material, self.n, start, conduction)
         self.old_deformation_gradient = np.tile(np.eye(3), (self.n, 1, 1))
@@ -116,6 +123,7 @@ class MaterialPoints:
 
         Raises PointFailure naming the first point that cannot follow.
         """
+        check_step(dt)
         before, after = self.old_deformation_gradient, self.deformation_gradient
         self.threads.run_with(
             advance_points, len(self._sums), self._workspaces, self.model, self.viscosity,
@@ -138,6 +146,7 @@ class MaterialPoints:
         and for arrays that cannot be written.
         Source: Simo & Taylor, Comput. Methods Appl. Mech. Eng. 48 (1985) 101.
         """
+        check_step(dt)
         if self.viscosity is not None:
             raise UnsupportedError("a step with bulk viscosity has no tangent: leave the viscosity out")
         require_writable("stresses", stresses, (self.n, 3, 3))
@@ -185,14 +194,17 @@ class MaterialPoints:
             float(largest[PRESSURE]),
         )  # fmt: skip
 
-    def connect(self, positions: np.ndarray) -> None:
+    def connect(
+        self, positions: np.ndarray, geometry: Geometry = SPATIAL, planes: Sequence[Plane] = ()
+    ) -> None:
         """Prepare the average of a nonlocal damage, if the material asks for one.
 
-        positions : of the points in the reference body (n, d) [m].
+        positions : of the points in the reference body (n, d) [m]. geometry : of these coordinates. planes : of
+        symmetry, in which the body is continued.
         """
         radius = self.material.damage_radius
         if radius is not None:
-            self._average = NonlocalAverage(positions, self.reference_volumes, radius)
+            self._average = NonlocalAverage(positions, self.reference_volumes, radius, geometry, planes)
 
     def accept(self) -> None:
         """Make the new state the old one."""

@@ -16,6 +16,7 @@ from core_models.ledger import EnergyLedger
 from core_models.load_checks import check_loads, damping_of, damping_rate
 from core_models.loads import Load
 from core_models.material import Material
+from core_models.mirror_images import symmetry_planes
 from core_models.plane_symmetry import check_plane
 from core_models.points import MaterialPoints, PointFailure
 from core_models.redo import VANISHING_STEP, redoing, step_within
@@ -100,7 +101,8 @@ class ExplicitSolver(Restartable, Readout):
         self.velocities = initial_velocities(velocity, self.mesh.points)
         volumes = self._body.space.tables.weights.ravel()
         self.points = MaterialPoints(material, volumes, temperature, viscosity, self.threads, conduction)
-        self.points.connect(self.reference_positions)
+        planes = symmetry_planes(loads, self.mesh, self.geometry)
+        self.points.connect(self.reference_positions, self.geometry, planes)
         self.positions = self.mesh.points.copy()
         count = len(self.positions)
         self._held = np.zeros(count, dtype=np.bool_)

@@ -1,5 +1,6 @@
 """A body of particles: where they start, what they carry, and what can be read from them."""
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -8,7 +9,9 @@ from core_models.bulk_viscosity import BulkViscosity
 from core_models.geometry import Geometry
 from core_models.initial_deformation import deform_slowly
 from core_models.initial_motion import field_values, initial_velocities
+from core_models.loads import Load
 from core_models.material import Material
+from core_models.mirror_images import symmetry_planes
 from core_models.points import MaterialPoints
 from core_models.threads import Threads
 from meshes.mesh import Mesh
@@ -25,7 +28,8 @@ class Body:
     ----------
     mesh, material, geometry, threads : as the solver's. seeding : see `mpm.particles`. velocity, displacement,
     temperature, viscosity : initial state, see the solver. affine : whether particles carry an affine velocity.
-    conduction : whether heat is conducted. configuration : of mpm.configurations.
+    conduction : whether heat is conducted. configuration : of mpm.configurations. loads : in whose symmetry
+    planes the body is continued.
 
     positions, velocities (n, d) [m], [m/s]; affine (n, d, d) [1/s] or None; volume_ratio (n,) det F.
     """
@@ -45,6 +49,7 @@ class Body:
         affine: bool,
         conduction: bool,
         configuration: Updated | Total,
+        loads: Sequence[Load],
     ) -> None:
         self.mesh, self.material, self.geometry, self.threads, self.seeding = (
             mesh,
@@ -60,7 +65,8 @@ class Body:
         self.points = MaterialPoints(
             material, self.particles.volumes, temperature, viscosity, threads, conduction
         )
-        self.points.connect(self.reference_positions)
+        planes = symmetry_planes(loads, mesh, geometry)
+        self.points.connect(self.reference_positions, geometry, planes)
         n, d = self.reference_positions.shape
         self.positions = self.reference_positions.copy()
         self.velocities = initial_velocities(velocity, self.reference_positions)

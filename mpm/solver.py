@@ -115,7 +115,7 @@ class Solver(Stepping, Books, Readout, Restartable, Body):
         super().__init__(
             mesh, material, kind, Threads(threads), seeding=seeding, velocity=velocity, displacement=displacement,
             temperature=temperature, viscosity=viscosity, affine=self._transfer.affine, conduction=conduction,
-            configuration=frame,
+            configuration=frame, loads=loads,
         )  # fmt: skip
         if self.points.lengths is not None:
             self.points.lengths[:] = cell_size

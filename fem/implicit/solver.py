@@ -15,6 +15,7 @@ from core_models.geometry import find_geometry
 from core_models.load_checks import check_loads
 from core_models.loads import Load
 from core_models.material import Material
+from core_models.mirror_images import symmetry_planes
 from core_models.plane_symmetry import check_plane
 from core_models.points import MaterialPoints
 from core_models.threads import Threads
@@ -99,7 +100,8 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
         self.mass = float(self._body.nodal_mass.sum())
         volumes = self._body.space.tables.weights.ravel()
         self.points = MaterialPoints(material, volumes, temperature, None, self.threads, conduction)
-        self.points.connect(self.reference_positions)
+        planes = symmetry_planes(loads, self.mesh, self.geometry)
+        self.points.connect(self.reference_positions, self.geometry, planes)
         supports = Supports(loads, self.mesh, self.geometry)
         projection = make_cure(self.cure, self.mesh, self._body.space)
         self._loads = tuple(loads)

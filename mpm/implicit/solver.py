@@ -119,6 +119,7 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
         super().__init__(
             mesh, material, kind, Threads(threads), seeding=seeding, velocity=0.0, displacement=None,
             temperature=temperature, viscosity=None, affine=False, conduction=False, configuration=Total(),
+            loads=loads,
         )  # fmt: skip
         grid = SplineGrid(DEGREES[interpolation], lines, ends, self.reference_positions)
         shear = material.shear_at_rest(material.room_temperature)
