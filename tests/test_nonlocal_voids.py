@@ -18,7 +18,7 @@ from mpm import Solver
 LENGTH = 20e-3  # m
 SPEED, END = 20.0, 0.4e-4  # m/s, s
 FLAW, HALF_WIDTH, VOIDS = 0.005, 2e-3, 0.005  # more porosity in the middle, over so much [m]; that elsewhere
-RADIUS = 4e-3  # m
+RADIUS = 5e-3  # m
 SOLVERS = {"fem": ExplicitSolver, "mpm": Solver}
 
 
