@@ -46,7 +46,8 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
     dynamic. Heat is conducted after each increment, by backward Euler.
     increment : of time to take [s], > 0; it is cut on failure, and grows again on ease. smallest : below it the run
     gives up [s]; by default 1e-6 of the increment.
-    tolerance : on the residual, relative to all forces on nodes, in [1e-12, 1e-3]. iterations : allowed per increment.
+    tolerance : on the residual, relative to all forces on nodes, above 1e-12, up to 1e-3. iterations : allowed
+    per increment, > 0.
     linear_solver : 'scipy', 'pardiso', 'petsc', or None for PARDISO where it can be imported, else SciPy. log : file
     for the convergence log in JSON lines, or None; `log.records` and `log.text()` hold it in any case.
     path : None, `PathLength` or `BoundaryMotion`: forces then grow and fall as equilibrium asks for, the body moves on;
