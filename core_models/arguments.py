@@ -42,6 +42,20 @@ def check_share(name: str, value: float) -> None:
         check_between(name, value, 0.0, 1.0)
 
 
+def check_not_negative(name: str, values: float | np.ndarray, unit: str) -> None:
+    """Refuse a number, or an array with one, that is negative or not finite; SceneError with the first."""
+    numbers = np.atleast_1d(values)
+    bad = numbers[~(np.isfinite(numbers) & (numbers >= 0.0))]
+    if bad.size:
+        raise SceneError(f"{name} of {bad[0]:g} {unit}: give finite numbers, not below 0")
+
+
+def check_step(dt: float) -> None:
+    """Refuse a time step [s] that is not positive; SceneError."""
+    if not dt > 0.0:
+        raise SceneError(f"a time step must be positive, not {dt:g} s")
+
+
 def require_writable(name: str, array: np.ndarray, shape: tuple[int, ...]) -> None:
     """Raise UnsupportedError for an array that a kernel cannot fill as it is: a copy would be filled, and lost."""
     if array.shape != shape or array.dtype != np.float64 or not array.flags.carray:

@@ -10,6 +10,7 @@ from core_models.eos.mie_gruneisen import MieGruneisen
 from core_models.eos.spalling_mie_gruneisen import SpallingMieGruneisen
 from core_models.flow.johnson_cook import JohnsonCook
 from core_models.laws import (
+    damage_of_porosity,
     elastic_moduli,
     evolve_hardening,
     flow_stress,
@@ -17,6 +18,7 @@ from core_models.laws import (
     under_pressure,
 )
 from core_models.schema.checking import fault_of
+from core_models.yield_condition.gurson import Gurson
 
 LARGEST_MODULUS_GAP = 0.2  # between the card's moduli and those that the other laws have at rest
 STRAINS = (0.0, 1e-3, 1e-2, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0)  # plastic strains where softening is looked for
@@ -41,6 +43,8 @@ def complaints(m: Any) -> Iterator[Remark]:
     yield from _temperatures(m)
     if m.flow is not None:
         yield from _strength(m)
+    if isinstance(m.yield_condition, Gurson) and isinstance(m.damage, VoidNucleation):
+        yield from _voids(m)
 
 
 def cautions(m: Any) -> Iterator[Remark]:
@@ -142,6 +146,16 @@ def _strength(m: Any) -> Iterator[Remark]:
                     f"{strain:g}: let it soften to a stress above 0",
                 )
                 return
+
+
+def _voids(m: Any) -> Iterator[Remark]:
+    start = m.damage.initial_porosity
+    if damage_of_porosity(m.yield_condition, start, 0.0) >= 1.0:
+        yield Remark(
+            "damage",
+            f"the yield surface has shrunk to nothing at the initial porosity {start:g}: give less, with k = "
+            f"{m.yield_condition.k:g} and f_c = {m.yield_condition.f_c:g} usually below f_c",
+        )
 
 
 def _strength_at(m: Any, strain: float) -> tuple[float, float]:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from core_models.arguments import require_writable
+from core_models.arguments import check_not_negative, check_step, require_writable
 from core_models.at_rest import bulk_at_rest, initial_state, initial_wave_speed
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.compilation import CHUNK
@@ -82,6 +82,8 @@ class MaterialPoints:
 
     `advance` reads the state `old` and writes `new`; `accept` makes the new state the old one. A step that is
     rejected is simply advanced again.
+
+    Raises SceneError for volumes and temperatures that are negative or not finite, and for steps that are not positive.
     """
 
     def __init__(
@@ -98,8 +100,10 @@ class MaterialPoints:
         self.viscosity = viscosity
         self.reference_volumes = np.ascontiguousarray(reference_volumes, dtype=np.float64)
         self.n = len(self.reference_volumes)
+        check_not_negative("a reference volume", self.reference_volumes, "m^3")
         self.threads = threads or Threads(1)
         start = material.room_temperature if temperature is None else temperature
+        check_not_negative("a temperature", start, "K")
         self.old = initial_state(material, self.n, start, conduction)
         self.new = initial_state(material, self.n, start, conduction)
         self.old_deformation_gradient = np.tile(np.eye(3), (self.n, 1, 1))
@@ -119,6 +123,7 @@ class MaterialPoints:
 
         Raises PointFailure naming the first point that cannot follow.
         """
+        check_step(dt)
         before, after = self.old_deformation_gradient, self.deformation_gradient
         self.threads.run_with(
             advance_points, len(self._sums), self._workspaces, self.model, self.viscosity,
@@ -141,6 +146,7 @@ class MaterialPoints:
         and for arrays that cannot be written.
         Source: Simo & Taylor, Comput. Methods Appl. Mech. Eng. 48 (1985) 101.
         """
+        check_step(dt)
         if self.viscosity is not None:
             raise UnsupportedError("a step with bulk viscosity has no tangent: leave the viscosity out")
         require_writable("stresses", stresses, (self.n, 3, 3))

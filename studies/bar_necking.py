@@ -120,8 +120,12 @@ def bridgman_factor(radius: float, curvature: float) -> float:
 
 
 def peak(history: NeckingHistory) -> tuple[float, float]:
-    """Elongation of the half [m] at the largest force, and that force [N], on the parabola of the three largest."""
+    """Elongation of the half [m] at the largest force, and that force [N], on the parabola through it and its
+    neighbours; of fewer than three rows the largest itself.
+    """
     u, force = history.column("elongation"), history.column("force")
+    if len(force) < 3:
+        return float(u[force.argmax()]), float(force.max())
     i = min(max(int(force.argmax()), 1), len(force) - 2)
     a, b, c = np.polyfit(u[i - 1 : i + 2] - u[i], force[i - 1 : i + 2], 2)
     return float(u[i] - 0.5 * b / a), float(c - 0.25 * b * b / a)

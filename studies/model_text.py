@@ -18,6 +18,13 @@ PLAIN_LAWS = {
     "specific_heat": ConstantSpecificHeat,
 }
 """Laws that a card gives by plain tags, without a block and a type."""
+BY_DEFAULT = {
+    "constant_shear": "IsotropicElastic",
+    "constant_Tm": "ConstantMelting",
+    "constant_Cp": "ConstantSpecificHeat",
+    "green_naghdi": "HypoelasticPlastic",
+}
+"""Types that a card may write for what it gets without the block, and the law that explains them."""
 
 
 def model_list() -> str:
@@ -35,8 +42,13 @@ def model_list() -> str:
         ]
         if rows:
             width = max(len(row[1]) for row in rows)
-            parts.append(f"{slot.slot}  <{slot.tags[0]}>\n" + aligned([[a, b.ljust(width)] for a, b in rows]))
+            parts.append(_heading(slot) + "\n" + aligned([[a, b.ljust(width)] for a, b in rows]))
     return "\n\n".join(parts)
+
+
+def _heading(slot: SlotSchema) -> str:
+    default = f"  (left out: {slot.absent})" if slot.absent else ""
+    return f"{slot.slot}  <{slot.tags[0]}>{default}"
 
 
 def find_models(name: str | None = None) -> list[tuple[str, ModelSchema]]:
@@ -46,8 +58,9 @@ def find_models(name: str | None = None) -> list[tuple[str, ModelSchema]]:
     known = [(slot.slot, model) for slot, model in _models()] + list(_plain_models())
     if name is None:
         return known
+    bare = {_bare(word): _bare(law) for word, law in BY_DEFAULT.items()}.get(_bare(name), _bare(name))
     for means in (_is_name, _is_short_name, _is_part):
-        found = [each for each in known if means(_bare(name), each[1])]
+        found = [each for each in known if means(bare, each[1])]
         if found:
             return found
     words = {_bare(word): word for _, model in known for word in _names(model)}

@@ -9,6 +9,7 @@ import numpy as np
 
 from core_models.equilibrium.order import newton_orders
 from core_models.erosion.delete import DeletePoint
+from core_models.errors import RunFailure, SceneError
 from core_models.loads import Load, Prescribed, Symmetry
 from core_models.material import Material
 from meshes.mesh import Mesh
@@ -31,7 +32,7 @@ class NeckingRun:
 
     shape : domains (n, 4, 2) [m] of the points, and strains (n,) their plastic strains. increments, cuts, iterations,
     orders: of Newton's method; steps: explicit. kinetic_share: largest share of kinetic energy, 0 for a static run.
-    seconds: of processor time.
+    seconds: of processor time. stopped: why the run did not come to its end; all else then is up to where it got.
     """
 
     history: NeckingHistory
@@ -43,6 +44,7 @@ class NeckingRun:
     iterations: int = 0
     cuts: int = 0
     orders: tuple[float, ...] = ()
+    stopped: str = ""
 
     @property
     def strained_share(self) -> float:
@@ -53,11 +55,16 @@ class NeckingRun:
 
 
 def make_run(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
-    """One run of a scene; raises MatpointError for what cannot be, or does not come to its end."""
+    """One run of a scene, `stopped` where it goes wrong on its way; MatpointError for what cannot be at all."""
     material = scene.material if plan.update is None else with_update(scene.material, plan.update)
     if plan.damage_radius is not None:
         material = replace(material, damage_radius=plan.damage_radius or None)
     if plan.erosion == DELETE:
+        if material.erosion is None:
+            raise SceneError(
+                f"{scene.name}: {plan.name} deletes failed points, but its material has no <erosion>: add it, "
+                "or leave out erosion"
+            )
         material = replace(material, erosion=DeletePoint(material.erosion.decay_time))
     taper = scene.taper if plan.taper is None else plan.taper
     duration = scene.duration if plan.duration is None else plan.duration
@@ -117,6 +124,17 @@ METHODS = {
 }
 """Name of a method: what makes a run of it."""
 
+IMPLICIT = ("fem-implicit", "mpm-implicit")
+
+OPTIONS = {
+    "fem-implicit": ("integration", "cure", "tolerance"),
+    "fem-explicit": ("integration", "cure", "hourglass"),
+    "mpm-tl": ("interpolation", "transfer", "cure", "seeding", "cfl"),
+    "mpm-implicit": ("interpolation", "cure", "seeding", "ghost", "tolerance"),
+    "mpm": ("interpolation", "transfer", "cure", "seeding", "cfl"),
+}
+"""Name of a method: options of its solver that a run may give."""
+
 
 def _static(scene: NeckingScene, plan: PlannedRun, make: Callable) -> NeckingRun:
     began = time.process_time()
@@ -124,14 +142,20 @@ def _static(scene: NeckingScene, plan: PlannedRun, make: Callable) -> NeckingRun
         body_of(scene, plan), material=scene.material, loads=loads_of(scene, scene.pull / scene.duration),
         increment=scene.duration / plan.increments, geometry=_geometry(scene), **_options(plan),
     )  # fmt: skip
-    watch = NeckingWatch(solver, scene.body != STRIP)
-    while solver.time < scene.duration:
-        solver.advance(scene.duration)
-        watch.add(solver, float(solver.boundary_force("end")[1]))
+    watch, stopped = NeckingWatch(solver, scene.body != STRIP), ""
+    while solver.time < scene.duration and not stopped:
+        try:
+            solver.advance(scene.duration)
+        except RunFailure as reason:
+            if not watch.history.rows:
+                raise
+            stopped = str(reason)
+        else:
+            watch.add(solver, float(solver.boundary_force("end")[1]))
     log = solver.log
     return NeckingRun(
         watch.history, *_shape(solver), time.process_time() - began, solver.step_count, 0.0, len(log.iterations),
-        len(log.cuts), tuple(newton_orders(log)),
+        len(log.cuts), tuple(newton_orders(log)), stopped,
     )  # fmt: skip
 
 

@@ -5,6 +5,8 @@ from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from core_models.errors import OutputError
+
 CONVERGED, CUT = "converged", "cut"
 
 
@@ -76,7 +78,12 @@ class ConvergenceLog:
         self.records: list[Record] = []
         self._path = None if path is None else Path(path)
         if self._path is not None:
-            self._path.write_text("", encoding="utf-8")
+            try:
+                self._path.write_text("", encoding="utf-8")
+            except OSError as reason:
+                raise OutputError(
+                    f"{path}: the log cannot be written ({reason.strerror}); name another file"
+                ) from None
 
     def add(self, record: Record) -> None:
         """Keep a record, and write it to the file."""

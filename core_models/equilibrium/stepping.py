@@ -58,6 +58,7 @@ class QuasiStatic:
         loads that follow their histories in time.
         """
         check_between("tolerance", tolerance, 1e-12, 1e-3)
+        check_between("iterations", iterations, 0, math.inf)
         self._nodes = nodes
         self._system, self._supports, self._pattern = system, supports, pattern
         linear = make_linear_solver(linear_solver, pattern)

@@ -90,9 +90,12 @@ def _(flow, hardening_variable, strain_increment, plastic_rate, temperature):
     advance = flow.h_0 * strain_increment / target
     over = flow.a - 1.0
     slowness = size**over * advance
-    decay = math.exp(-slowness) if over == 0.0 else math.exp(-math.log1p(over * slowness) / over)
+    exponent = slowness if over == 0.0 else math.log1p(over * slowness) / over
+    decay = math.exp(-exponent)
     after = distance * decay
     slope = math.copysign(flow.h_0 * abs(after) ** flow.a, after)
-    by_target = 1.0 - after - decay**flow.a * hardening_variable / target - slope * strain_increment / target
-    by_rate = by_target * flow.n * target / rate if plastic_rate > LOWEST_RATE else 0.0
-    return target * (1.0 - after), slope, by_rate
+    # In the cold s* is so far that s would be lost in s* (1 - w_1).
+    growth = -target * distance * math.expm1(-exponent)
+    by_log_target = growth - hardening_variable * math.expm1(-flow.a * exponent) - slope * strain_increment
+    by_rate = by_log_target * flow.n / rate if plastic_rate > LOWEST_RATE else 0.0
+    return hardening_variable + growth, slope, by_rate

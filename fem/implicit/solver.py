@@ -7,6 +7,7 @@ import numpy as np
 
 from core_models.arguments import check_between
 from core_models.equilibrium.checkpoint import RestartableIncrements
+from core_models.equilibrium.load_limit import growing_loads
 from core_models.equilibrium.pattern import Pattern
 from core_models.equilibrium.stepping import QuasiStatic, refuse_damping
 from core_models.errors import UnsupportedError
@@ -21,10 +22,10 @@ from core_models.threads import Threads
 from fem.body import Body
 from fem.cures.choice import NODAL, cures_of, find_cure, make_cure
 from fem.elements import FULL, is_one_point_brick
+from fem.external import ExternalForces
 from fem.hourglass import DEFAULT
 from fem.implicit.conduction import ImplicitConduction
 from fem.implicit.frequency import lowest_frequency
-from fem.implicit.load_limit import ADVICE, growing_loads
 from fem.implicit.path import Path, make_measure
 from fem.implicit.spurious_modes import refuse_spurious_modes
 from fem.implicit.system import ElementSystem
@@ -45,7 +46,8 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
     dynamic. Heat is conducted after each increment, by backward Euler.
     increment : of time to take [s], > 0; it is cut on failure, and grows again on ease. smallest : below it the run
     gives up [s]; by default 1e-6 of the increment.
-    tolerance : on the residual, relative to all forces on nodes, in [1e-12, 1e-3]. iterations : allowed per increment.
+    tolerance : on the residual, relative to all forces on nodes, above 1e-12, up to 1e-3. iterations : allowed
+    per increment, > 0.
     linear_solver : 'scipy', 'pardiso', 'petsc', or None for PARDISO where it can be imported, else SciPy. log : file
     for the convergence log in JSON lines, or None; `log.records` and `log.text()` hold it in any case.
     path : None, `PathLength` or `BoundaryMotion`: forces then grow and fall as equilibrium asks for, the body moves on;
@@ -58,7 +60,9 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
 
     method = "fem-implicit"
     OWN = (("_body", ("scales",)), ("_conduction", ("temperatures",)))
-    ADVICE = ADVICE
+    ADVICE = (
+        "prescribe displacements, or follow the path with path=PathLength(...) or path=BoundaryMotion(...)"
+    )
 
     def __init__(
         self,
@@ -143,8 +147,11 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
             self._ledger.heat += self._conduction.advance(dt, start)
 
     def _growing(self, before: float, after: float) -> str:
-        times = before, after
-        return growing_loads(self._loads, self.mesh, self.geometry, self.nodal_mass, self.positions, times)
+        def forces(load: Load, time: float) -> np.ndarray:
+            external = ExternalForces((load,), self.mesh, self.geometry, self.nodal_mass)
+            return external.at(self.positions, time)
+
+        return growing_loads(self._loads, forces, (before, after))
 
     def _whereabouts(self, point: int) -> str:
         return f" (element {point // (self.points.n // len(self.mesh.cells))})"

@@ -12,6 +12,7 @@ from core_models.checkpoint import Checkpoint
 from core_models.equilibrium.checkpoint import RestartableIncrements
 from core_models.equilibrium.condition import condition_number
 from core_models.equilibrium.free_motion import free_motion
+from core_models.equilibrium.load_limit import growing_loads
 from core_models.equilibrium.pattern import Pattern
 from core_models.equilibrium.stepping import QuasiStatic, refuse_damping
 from core_models.errors import SingularStiffness, UnsupportedError
@@ -111,6 +112,7 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
         refuse_several_bodies(mesh, "mpm.ImplicitSolver")
         check_loads(loads, mesh, kind)
         refuse_damping(loads, "mpm.Solver")
+        self._loads = tuple(loads)
         planes = held_planes(mesh, kind, loads)
         ends = held_ends(mesh, kind, planes)
         lines = grid_lines(mesh, kind, ends, cell_size)
@@ -124,7 +126,7 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
         self._weak = WeakSupports(weakly_held(mesh, loads, planes), self.particles, kind, grid, shear)
         supports = Supports(loads, mesh, kind, grid, planes, self._weak)
         system = ParticleSystem(
-            grid, kind, self.particles, self.points, material, supports.fixed, tuple(loads), self._weak, share, ghost,
+            grid, kind, self.particles, self.points, material, supports.fixed, self._loads, self._weak, share, ghost,
             self.threads,
         )  # fmt: skip
         self._grid, self._undeformed = grid, np.broadcast_to(np.eye(3), (self.points.n, 3, 3))
@@ -137,6 +139,12 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
             grid.places, system, supports, pattern, increment=increment, smallest=smallest,
             tolerance=tolerance, iterations=iterations, linear_solver=linear_solver, log=log, condition=condition,
         )  # fmt: skip
+
+    def _growing(self, before: float, after: float) -> str:
+        def forces(load: Load, time: float) -> np.ndarray:
+            return self._system.forces_of(load, self._places, time)
+
+        return growing_loads(self._loads, forces, (before, after))
 
     @property
     def cells(self) -> int:

@@ -45,9 +45,9 @@ class ParticleSystem:
         self.nodes = nodes
         self._slopes = gradients_at(geometry, particles.positions, self.values, slopes)
         self._weak = weak
-        self._external = ExternalForces(
-            loads, particles, geometry, grid, (nodes, self.values), self._operator, material.density
-        )
+        given = (particles, geometry, grid, (nodes, self.values), self._operator, material.density)
+        self._external = ExternalForces(loads, *given)
+        self._external_of = lambda load: ExternalForces((load,), *given)
         shear = material.shear_at_rest(material.room_temperature)
         faces, self._ghosts = ghost_faces(grid, geometry, ghost * shear) if ghost else ([], [])
         self._ghost_tables = [d * each + i for each in faces for i in range(d)]
@@ -94,6 +94,10 @@ class ParticleSystem:
         if self.loads is not None:
             residual, square = residual - self.loads, square + float((self.loads**2).sum())
         return Balance(residual, max(square**0.5, self._smallest), self._flowing())
+
+    def forces_of(self, load: Load, x: np.ndarray, time: float) -> np.ndarray:
+        """Forces (n, d) [N] of one body force, traction or pressure at x (n, d) [m] and a time [s]."""
+        return self._external_of(load).at(x, time)
 
     def stiffness(self) -> list[np.ndarray]:
         """d residual / d x where `balance` has been last: blocks for each of `tables` [N/m]."""

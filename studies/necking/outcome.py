@@ -27,14 +27,18 @@ WHOLE = (
 
 
 def outcome_of(scene: NeckingScene, runs: Runs, failures: dict[str, str]) -> Outcome:
-    """The outcome of the runs that have come to their ends, and of those that have not, by the reasons why."""
+    """The outcome of the runs, and of those that have not come to their ends, by the reasons why.
+
+    Of a run that has stopped on its way there are curves, shape and cost, but nothing is concluded from it.
+    """
     outcome = Outcome()
-    outcome.criteria = criteria_of(scene, runs)
+    complete = {name: run for name, run in runs.items() if not run.stopped}
+    outcome.criteria = criteria_of(scene, complete)
     outcome.criteria += [
         Criterion(f"{name} runs to the end", None, reason=why) for name, why in failures.items()
     ]
     plans = [plan for plan in scene.runs if plan.name in runs]
-    outcome.tables = [_quantities(scene, runs), limits_table(scene, runs), _cost(scene, runs)]
+    outcome.tables = [_quantities(scene, complete), limits_table(scene, complete), _cost(scene, runs)]
     outcome.tables += [
         _in_the_neck(scene, plan.label, runs[plan.name]) for plan in plans if _shown(plan, plans)
     ]
@@ -125,7 +129,7 @@ def _plot(scene: NeckingScene, runs: Runs, column: str, label: str, scale: float
     plans = [plan for plan in scene.runs if plan.name in runs and plan.taper is None]
     curves = [
         Curve(
-            plan.name,
+            plan.name + (" (stopped)" if runs[plan.name].stopped else ""),
             tuple(1e3 * runs[plan.name].history.column("elongation")),
             tuple(scale * runs[plan.name].history.column(column)),
             MPM if plan.method.startswith("mpm") else FEM,

@@ -16,6 +16,7 @@
 </necking>
 """
 
+import hashlib
 from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
@@ -32,6 +33,7 @@ from core_models.cards import (
     shipped_materials,
 )
 from core_models.errors import SceneError
+from core_models.flow.voce import Voce
 from core_models.material import Material
 from core_models.names import suggestion
 from studies.bar_necking import QUANTITIES, NeckingHistory
@@ -50,7 +52,7 @@ from studies.necking.scene import (
     PlannedRun,
     UniformPeak,
 )
-from studies.necking_methods import DELETE, METHODS
+from studies.necking_methods import DELETE, IMPLICIT, METHODS, OPTIONS
 from studies.scene_attributes import (
     choice,
     local_file,
@@ -82,8 +84,10 @@ def read_necking_scene(name: str | Path) -> NeckingScene:
     check_attributes(root, ("name", "title"))
     children = named_children(root, {tag: tag for tag in TAGS}, REPEATABLE)
     bodies = [tag for tag in BODIES if tag in children]
-    if len(bodies) != 1 or "material" not in children or "pull" not in children:
-        wanted = "give one <material>, one <pull>, and one of " + ", ".join(f"<{tag}>" for tag in BODIES)
+    if len(bodies) != 1 or not {"material", "pull", "run"} <= set(children):
+        wanted = "give one <material>, one <pull>, a <run>, and one of " + ", ".join(
+            f"<{tag}>" for tag in BODIES
+        )
         raise refusal(root, "the scene is not whole", wanted, SceneError)
     body, pull = children[bodies[0]], children["pull"]
     check_attributes(body, ("radius", "length", "taper", "end"))
@@ -92,11 +96,11 @@ def read_necking_scene(name: str | Path) -> NeckingScene:
     scene = NeckingScene(
         name=required_text(root, "name"),
         material=_material(children["material"]),
-        radius=required_number(body, "radius"),
-        length=required_number(body, "length"),
+        radius=_above_zero(body, "radius"),
+        length=_above_zero(body, "length"),
         taper=number_attribute(body, "taper", 1.0),
-        pull=required_number(pull, "distance"),
-        duration=number_attribute(pull, "duration", 1.0),
+        pull=_above_zero(pull, "distance"),
+        duration=1.0 if pull.get("duration") is None else _above_zero(pull, "duration"),
         body=BODIES[bodies[0]],
         held=body.get("end") is not None and choice(body, "end", ("free", "held")) == "held",
         title=root.get("title", required_text(root, "name")),
@@ -109,11 +113,23 @@ def read_necking_scene(name: str | Path) -> NeckingScene:
     return replace(scene, checks=tuple(_check(element, scene) for element in root if element.tag in CHECKS))
 
 
+def fingerprint(name: str | Path) -> str:
+    """Hash of what the runs of a scene are made from: another for another material, body, pull or run."""
+    digest = hashlib.sha256()
+    for element in load_document(_find(name), ()):
+        if element.tag in ("material", *BODIES, "pull", "run"):
+            digest.update(etree.tostring(element, method="c14n", with_comments=False))
+    return digest.hexdigest()[:16]
+
+
 def _refuse_twins(root: etree._Element, runs: tuple[PlannedRun, ...]) -> None:
-    names = [run.name for run in runs]
-    for name in names:
-        if names.count(name) > 1:
-            raise refusal(root, f"two runs are called {name!r}", "give each a name of its own", SceneError)
+    # Each is kept in a file of its name, where ':' and '/' become '-'.
+    files = [run.name.replace(":", "-").replace("/", "-") for run in runs]
+    for run, file in zip(runs, files, strict=True):
+        if files.count(file) > 1:
+            raise refusal(
+                root, f"two runs are called {run.name!r} or alike", "give each a name of its own", SceneError
+            )
 
 
 def _find(name: str | Path) -> Path:
@@ -142,7 +158,11 @@ def _material(element: etree._Element) -> Material:
 def _run(element: etree._Element) -> PlannedRun:
     plain = {each.name: each.type for each in fields(PlannedRun) if each.name != "options"}
     check_attributes(element, (*plain, *WORDS, *NUMBERS))
-    choice(element, "method", tuple(METHODS))
+    method = choice(element, "method", tuple(METHODS))
+    for name in (*WORDS, *NUMBERS):
+        if element.get(name) is not None and name not in OPTIONS[method]:
+            valid = ", ".join(OPTIONS[method])
+            raise refusal(element, f"{method} has no option {name}", f"it has {valid}", SceneError)
     if element.get("erosion") is not None:
         choice(element, "erosion", (DELETE,))
     given: dict[str, Any] = {}
@@ -155,13 +175,25 @@ def _run(element: etree._Element) -> PlannedRun:
             given[name] = _whole(element, name)
         elif kind in (str, str | None):
             given[name] = required_text(element, name)
+        elif name in ("grading", "duration"):
+            given[name] = _above_zero(element, name)
         else:
             given[name] = required_number(element, name)
     options: dict[str, str | float] = {name: element.get(name) for name in WORDS if element.get(name)}
     options |= {name: required_number(element, name) for name in NUMBERS if element.get(name)}
-    for name in ("name", "across", "along"):
+    for name in ("name", "across", "along", *(("increments",) if method in IMPLICIT else ())):
         required_text(element, name)
+    for name in ("periods", "damage_radius"):
+        if given.get(name, 0.0) < 0.0:
+            raise refusal(element, f'{name}="{given[name]:g}"', "write a number from 0", SceneError)
     return PlannedRun(**given, options=options)
+
+
+def _above_zero(element: etree._Element, name: str) -> float:
+    value = required_number(element, name)
+    if value <= 0.0:
+        raise refusal(element, f'{name}="{value:g}"', "write a number above 0", SceneError)
+    return value
 
 
 def _whole(element: etree._Element, name: str) -> int:
@@ -196,13 +228,18 @@ def _check(element: etree._Element, scene: NeckingScene) -> Check:
     if element.tag == "near":
         check_attributes(element, ("run", "curve", "quantity", "within", "beyond", "up_to"))
         curve = choice(element, "curve", tuple(curve.label for curve in scene.curves))
-        column = choice(element, "quantity", NeckingHistory.COLUMNS)
+        columns = next(each.columns for each in scene.curves if each.label == curve)
+        column = choice(element, "quantity", tuple(columns))
         within, up_to = required_number(element, "within"), required_number(element, "up_to")
         return Nearness(run, curve, column, within, number_attribute(element, "beyond", 0.0), up_to)
     if element.tag == "newton":
         check_attributes(element, ("run", "least"))
         return NewtonOrder(run, required_number(element, "least"))
     check_attributes(element, ("run", "within"))
+    if not isinstance(scene.material.flow, Voce):
+        raise refusal(
+            element, "the closed form is that of a Voce law", "leave out <uniform_peak>", SceneError
+        )
     return UniformPeak(run, required_number(element, "within"))
 
 

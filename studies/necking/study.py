@@ -5,26 +5,24 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from core_models.errors import OutputError, SceneError
+from core_models.errors import SceneError
 from core_models.names import suggestion
 from studies.necking.outcome import outcome_of
 from studies.necking.pictures import final_shapes
-from studies.necking.reader import read_necking_scene
+from studies.necking.reader import fingerprint, read_necking_scene
 from studies.necking.record import perform_run, run_from
 from studies.necking.scene import NeckingScene, PlannedRun
 from studies.necking.verdicts import Runs
 from studies.necking_methods import METHODS
-from studies.output_folder import OutputFolder, ResumedFolder
 from studies.report.study_page import AGREE, APART, Report, Section, Verdict, write_report
 from studies.run_record import to_json
+from studies.study_folder import study_folder
 from studies.sweep.job import COMPLETE, Job
 from studies.sweep.sweep import run_sweep
 from studies.verification.outcome import Outcome
 from studies.verification.study import plain
 from studies.verification.text import criterion_text
 from studies.versions import versions
-
-SETTINGS = "study.json"
 
 
 def planned(scene: NeckingScene, methods: Sequence[str] | None, quick: bool) -> list[PlannedRun]:
@@ -40,9 +38,10 @@ def planned(scene: NeckingScene, methods: Sequence[str] | None, quick: bool) -> 
     ]
     if not plans:
         there = sorted({plan.method for plan in scene.runs if plan.quick or not quick})
+        by = f" by {', '.join(methods)}" if methods else ""
         raise SceneError(
-            f"{scene.name} has no {'quick ' if quick else ''}run by {', '.join(methods)}; there are runs by "
-            f"{', '.join(there)}"
+            f"{scene.name} has no {'quick ' if quick else ''}run{by}; "
+            + (f"there are runs by {', '.join(there)}" if there else 'give one quick="yes"')
         )
     return plans
 
@@ -65,12 +64,8 @@ def study_necking(
     """
     scene = read_necking_scene(name)
     plans = planned(scene, methods, quick)
-    settings = to_json({"study": "necking", "scene": scene.name})
-    with ResumedFolder(out) if going_on else OutputFolder(out) as folder:
-        path = folder.path / SETTINGS
-        if going_on and not (path.exists() and path.read_text(encoding="utf-8") == settings):
-            raise OutputError(f"{out}: holds no study of {scene.name} to go on with; start one with --out")
-        folder.write_text(SETTINGS, settings)
+    settings = {"study": "necking", "scene": scene.name, "fingerprint": fingerprint(name)}
+    with study_folder(out, settings, going_on) as folder:
         jobs = [Job(plan.name.replace(":", "-"), perform_run, (str(name), plan.name)) for plan in plans]
         results = dict(
             zip(
@@ -79,8 +74,8 @@ def study_necking(
                 strict=True,
             )
         )
-        runs = {name: run_from(each) for name, each in results.items() if each["status"] == COMPLETE}
-        failures = {name: each["message"] for name, each in results.items() if name not in runs}
+        runs = {name: run_from(each) for name, each in results.items() if "rows" in each}
+        failures = {name: each["message"] for name, each in results.items() if each["status"] != COMPLETE}
         outcome = outcome_of(scene, runs, failures)
         entry = {"study": "necking", "quick": quick, "scene": scene.name, "source": scene.source}
         entry |= asdict(outcome) | {"met": [criterion.met for criterion in outcome.criteria]}

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from core_models.errors import MatpointError
+from core_models.errors import MatpointError, RunFailure
 
 COMPLETE, FAILED = "complete", "failed"
 
@@ -21,11 +21,11 @@ class Job:
 def perform(job: Job) -> dict[str, Any]:
     """The job's result with its status; an error becomes status 'failed' and its message."""
     try:
-        return {"key": job.key, "status": COMPLETE, "message": ""} | job.function(*job.arguments)
+        return {"status": COMPLETE, "message": ""} | job.function(*job.arguments) | {"key": job.key}
     except MatpointError as error:
-        return failed(job.key, str(error))
+        return failed(job.key, str(error), error.exit_status)
 
 
-def failed(key: str, message: str) -> dict[str, Any]:
-    """The result of a job that has not come to an end."""
-    return {"key": key, "status": FAILED, "message": message}
+def failed(key: str, message: str, exit_status: int = RunFailure.exit_status) -> dict[str, Any]:
+    """The result of a job that has not come to an end, and the exit status that a command owes to it."""
+    return {"key": key, "status": FAILED, "message": message, "exit_status": exit_status}

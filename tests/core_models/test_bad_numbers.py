@@ -5,12 +5,14 @@ import math
 from dataclasses import replace
 from typing import NamedTuple
 
+import numpy as np
 import pytest
 
 from core_models.cards import read_material, shipped_materials
+from core_models.damage.gurson import VoidNucleation
 from core_models.damage.hancock_mackenzie import HancockMackenzieDamage
 from core_models.damage.johnson_cook import JohnsonCookDamage
-from core_models.errors import CardError, MaterialError
+from core_models.errors import CardError, MaterialError, SceneError
 from core_models.flow.linear import LinearHardening
 from core_models.flow.mts import MechanicalThreshold
 from core_models.flow.preston_tonks_wallace import PrestonTonksWallace
@@ -19,8 +21,10 @@ from core_models.flow.tabulated import TabulatedHardening
 from core_models.flow.voce import Voce
 from core_models.laws import flow_stress
 from core_models.melting.burakovsky_preston_silbar import BurakovskyMelting
+from core_models.points import MaterialPoints
 from core_models.shear_modulus.varshni import VarshniShearModulus
 from core_models.specific_heat.constant import ConstantSpecificHeat
+from core_models.yield_condition.gurson import Gurson
 
 STEINBERG = SteinbergCochranGuinan(0.12e9, 36.0, 0.45, 0.0, 0.64e9, 2.83e-11, 3.77e-4, 1790.0, 2.02, 1.5)
 PRESTON = PrestonTonksWallace(
@@ -59,6 +63,10 @@ def _(flow, hardening_variable, plastic_strain, plastic_rate, temperature):
         ({"flow": TabulatedHardening((0.0, 0.2), (1e8, 0.0))}, "stresses = 0.0 Pa is out of its range"),
         ({"flow": Vanishing(1e8)}, "the yield surface shrinks to nothing: the flow stress is -"),
         ({"damage": HancockMackenzieDamage(0.8, 0.7)}, "critical_damage = 0.7 - is not above initial_damage = 0.8"),
+        (
+            {"yield_condition": Gurson(1.5, 1.0, 2.25, 4.0, 0.05), "damage": VoidNucleation(0.3, 0.0, 0.3, 0.1)},
+            "the yield surface has shrunk to nothing at the initial porosity 0.3",
+        ),
         ({"specific_heat": ConstantSpecificHeat(0.0)}, "value = 0.0 J/(kg K) is out of its range"),
         ({"shear_modulus": VarshniShearModulus(80e9, 3e9, 180.0)}, "describe the same stiffness"),
         (
@@ -133,3 +141,22 @@ def test_preston_without_p_is_the_limit(copper):
     at = (0.0, 0.1, 1e3, 300.0)
     limit = flow_stress(copper("hypo", PRESTON).flow, *at)[0]
     assert limit == pytest.approx(flow_stress(PRESTON._replace(p=1e-7), *at)[0], rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("build", "told"),
+    [
+        (lambda m: MaterialPoints(m, np.array([1.0, math.nan])), "a reference volume of nan m^3"),
+        (lambda m: MaterialPoints(m, -np.ones(1)), "a reference volume of -1 m^3"),
+        (lambda m: MaterialPoints(m, np.ones(1), temperature=-3.0), "a temperature of -3 K"),
+        (lambda m: MaterialPoints(m, np.ones(1)).advance(0.0), "a time step must be positive, not 0 s"),
+        (
+            lambda m: MaterialPoints(m, np.ones(1)).advance(math.nan),
+            "a time step must be positive, not nan s",
+        ),
+    ],
+)
+def test_points_refuse_what_no_body_has(copper, build, told):
+    """Volumes, temperatures and time steps that are negative or no numbers: a typed error, before any kernel runs."""
+    with pytest.raises(SceneError, match=told.replace("^", r"\^")):
+        build(copper("hypo", "linear"))

@@ -128,12 +128,14 @@ def assert_on_or_inside(points, before, j0, dt, size):
 
 
 def round_off(points, size):
-    """What is left of an elastic energy, and of the work of a mean stress, where stresses are differences [J]."""
+    """What is left of an elastic energy, and of the work of a mean stress, where stresses are differences, and of work,
+    where strains are those of a deformation gradient near 1 [J].
+    """
     bulk, shear = elastic_moduli(points.material.elasticity)
     stress = max(np.abs(state.stress).max() for state in (points.old, points.new))
     if points.new.plastic_volume is not None:
         size = max(size, np.abs(points.new.plastic_volume - points.old.plastic_volume).max())
-    return points.n * (1e-14 * stress * stress / shear + 1e-15 * bulk * size)
+    return points.n * (1e-14 * stress * stress / shear + 1e-15 * (bulk * size + stress))
 
 
 def assert_objective(points, work, turn, dt):

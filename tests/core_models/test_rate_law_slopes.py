@@ -206,6 +206,14 @@ def test_anand_resistance_solves_its_equation(a):
     assert evolve_hardening(law, 4e7, 0.0, rate, temperature)[0] == pytest.approx(4e7, rel=1e-14)
 
 
+def test_anand_resistance_is_kept_in_the_cold():
+    """At 1 K its target is 1e108 times as large: it grows with h_0, and neither it nor its slopes are lost."""
+    law, start, increment = SOLDER, 4e7, 1e-3
+    new, slope, by_rate = evolve_hardening(law, start, increment, 1.0, 1.0)
+    assert new == pytest.approx(start + law.h_0 * increment, rel=1e-12)
+    assert slope == pytest.approx(law.h_0, rel=1e-12) and abs(by_rate) < 1e-9 * start
+
+
 def test_anand_resistance_has_the_slopes_that_it_says():
     """Its slopes in the strain increment and in the rate agree with central differences."""
     random = np.random.default_rng(1)

@@ -32,7 +32,7 @@ NAMES = {
 }
 FOUNDING = {"copper_hyperelastic_mts", "copper_hypoelastic_johnson_cook"}  # kept as their document has them
 SOURCE = re.compile(
-    r"Uintah|DynELA|Karamelo|J\. Appl\. Phys\.|J\. Electron\. Packag\.|EN 199|Bowles|The same"
+    r"Uintah|DynELA|Karamelo|J\. Appl\. Phys\.|J\. Electron\. Packag\.|EN 199|Bowles|The same|Chosen here"
 )
 
 

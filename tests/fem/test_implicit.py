@@ -10,7 +10,7 @@ import pytest
 from core_models.elasticity.isotropic import IsotropicElastic
 from core_models.eos.neo_hookean import NeoHookean
 from core_models.equilibrium.order import newton_orders
-from core_models.errors import NoEquilibrium, SceneError, SingularStiffness, UnsupportedError
+from core_models.errors import NoEquilibrium, OutputError, SceneError, SingularStiffness, UnsupportedError
 from core_models.flow.voce import Voce
 from core_models.loads import Damping, Fixed, Prescribed, Pressure, Symmetry, Traction
 from core_models.material import Material
@@ -263,6 +263,8 @@ def test_tangents_that_are_not_finite_are_refused(monkeypatch):
         ({"increment": 0.0}, SceneError, "increment = 0 s is out of range"),
         ({"smallest": 2.0}, SceneError, "smallest = 2 s is out of range"),
         ({"tolerance": 0.1}, SceneError, "tolerance"),
+        ({"iterations": 0}, SceneError, "iterations = 0 is out of range"),
+        ({"log": "no/such/folder/log.jsonl"}, OutputError, "the log cannot be written"),
         ({"linear_solver": "scipi"}, SceneError, "scipy"),
         ({"integration": "reduced"}, UnsupportedError, "one-point quad4 has no implicit hourglass control"),
         ({"loads": (Damping(1.0),)}, SceneError, "Damping does nothing without motion"),

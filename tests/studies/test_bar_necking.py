@@ -1,5 +1,6 @@
 """The bar necking study: closed forms, quantities of made curves, quasi-static refusals, scenes, and coarse runs."""
 
+import inspect
 import json
 import math
 from types import SimpleNamespace
@@ -8,7 +9,10 @@ import numpy as np
 import pytest
 from lxml import etree
 
-from core_models.errors import OutputError, RunFailure, SceneError
+import fem
+import mpm
+from core_models.equilibrium.stepping import QuasiStatic
+from core_models.errors import CardError, NoEquilibrium, OutputError, RunFailure, SceneError
 from core_models.ledger import EnergyLedger
 from core_models.loads import Prescribed, Symmetry
 from meshes.block import block
@@ -22,14 +26,17 @@ from studies.bar_necking import (
     peak,
     uniform_peak,
 )
+from studies.command_line import main
 from studies.material_finder import with_update
 from studies.necking.curves import read_curve
 from studies.necking.reader import CHECKS, necking_scenes, read_necking_scene
+from studies.necking.record import perform_run
 from studies.necking.scene import PlannedRun
 from studies.necking.study import planned, study_necking
 from studies.necking.verdicts import criteria_of
-from studies.necking_methods import NeckingRun, make_run
+from studies.necking_methods import OPTIONS, NeckingRun, make_run
 from studies.quasi_static import KineticWatch, slow_enough
+from studies.sweep.job import FAILED, perform
 
 LENGTH = 0.1
 SIMO = read_necking_scene("necking-simo")
@@ -210,5 +217,76 @@ def test_a_study_is_kept_and_gone_on_with(tmp_path):
     assert len(told) == 1
     assert "peak force, one, 2 × 4" in (out / "report.html").read_text(encoding="utf-8")
     scene.write_text(small("other"), encoding="utf-8")
-    with pytest.raises(OutputError, match="no study of other"):
+    with pytest.raises(OutputError, match="scene = small, not other"):
         study_necking(scene, out, going_on=True)
+    scene.write_text(small("small").replace('length="26.667e-3"', 'length="25e-3"'), encoding="utf-8")
+    with pytest.raises(OutputError, match="started with fingerprint"):
+        study_necking(scene, out, going_on=True)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ('radius="6.413e-3"', 'radius="-6e-3"', "write a number above 0"),
+        ('distance="7e-3"', 'distance="0"', "write a number above 0"),
+        ('distance="7e-3"', 'distance="7e-3" duration="0"', "write a number above 0"),
+        (' increments="3"', "", 'lacks increments; add increments="..."'),
+        (
+            'increments="3"',
+            'increments="3" transfer="flip"',
+            "has no option transfer; it has integration, cure",
+        ),
+        ('increments="3"', 'increments="3" periods="-2"', "write a number from 0"),
+        (
+            '<run name="one"',
+            '<run name="a:b" method="mpm" across="1" along="1"/><run name="a-b"',
+            "called 'a:b'",
+        ),
+        ('quantity="peak_force"', 'quantity="peak_forc"', "did you mean 'peak_force'"),
+        ("<pull ", "<pul ", "did you mean 'pull'"),
+    ],
+)
+def test_scenes_that_make_no_sense_are_refused(old, new, told, tmp_path):
+    """Before anything is run, with file, line and remedy."""
+    scene = tmp_path / "own.xml"
+    assert old in small("own")
+    scene.write_text(small("own").replace(old, new), encoding="utf-8")
+    with pytest.raises((CardError, SceneError), match=told):
+        read_necking_scene(scene)
+
+
+def test_options_of_runs_are_those_of_the_solvers():
+    """Each that a scene may give is an argument of the method's solver."""
+    solvers = {
+        "fem-implicit": fem.ImplicitSolver, "fem-explicit": fem.ExplicitSolver, "mpm-tl": mpm.Solver,
+        "mpm-implicit": mpm.ImplicitSolver, "mpm": mpm.Solver,
+    }  # fmt: skip
+    for method, options in OPTIONS.items():
+        assert set(options) <= set(inspect.signature(solvers[method]).parameters)
+
+
+def test_a_run_that_stops_keeps_its_curves(tmp_path, monkeypatch, capsys):
+    """Exit status 3 and the reason; rows up to there are kept, but prove nothing; the run is made again later."""
+
+    def advance(self, limit):
+        if self.step_count == 2:
+            raise NoEquilibrium("increment 3: no equilibrium")
+        QuasiStatic.advance(self, limit)
+
+    def in_this_process(jobs, folder, workers, tell):
+        results = [perform(job) for job in jobs]
+        for result in results:
+            tell(result, 1, 1)
+        return results
+
+    monkeypatch.setattr(fem.ImplicitSolver, "advance", advance, raising=False)
+    monkeypatch.setattr("studies.necking.study.run_sweep", in_this_process)
+    scene, out = tmp_path / "small.xml", tmp_path / "out"
+    scene.write_text(small("small"), encoding="utf-8")
+    assert main(["study", "necking", str(scene), "--out", str(out)]) == 3
+    assert "increment 3: no equilibrium" in capsys.readouterr().out
+    (criterion,) = json.loads((out / "results.json").read_text(encoding="utf-8"))["criteria"]
+    assert criterion["what"] == "one runs to the end"
+    assert "one (stopped)" in (out / "report.html").read_text(encoding="utf-8")
+    record = perform_run(scene, "one")
+    assert (record["status"], record["exit_status"], len(record["rows"])) == (FAILED, 3, 2)

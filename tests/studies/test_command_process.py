@@ -65,7 +65,16 @@ def test_being_terminated_is_like_ctrl_c(capsys, monkeypatch):
     assert said(capsys)[1].count("\n") == 1
 
 
-def test_an_interruption_that_was_swallowed_still_ends_the_run(fake_solvers, monkeypatch, tmp_path):
+@pytest.fixture
+def usual_interrupts():
+    """Ctrl-C raises KeyboardInterrupt, though shells let processes in the background ignore it."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("fake_solvers", "usual_interrupts")
+def test_an_interruption_that_was_swallowed_still_ends_the_run(monkeypatch, tmp_path):
     """Ctrl-C during an import may be lost there; the next step raises it anew."""
 
     def swallow(self, solver):

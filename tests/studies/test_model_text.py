@@ -33,8 +33,9 @@ def test_laws_of_plain_tags_are_explained_too(name):
 
 
 def test_the_list_has_every_law():
-    """Type, class and one line for each."""
+    """Type, class and one line for each; each slot says what a card without its block gets."""
     lines = model_list().splitlines()
+    assert "objective_rate  <objective_rate>  (left out: green_naghdi)" in lines
     for _slot, model in LAWS:
         assert any(f"  {model.types[0]}" in line and model.law.__name__ in line for line in lines)
 
@@ -50,10 +51,12 @@ def test_the_list_has_every_law():
         ("drucker_prager", {"DruckerPrager"}),
         ("Mohr-Coulomb", {"MohrCoulomb"}),
         ("threshold", {"MechanicalThreshold"}),
+        ("constant_Tm", {"ConstantMelting"}),
+        ("green-naghdi", {"HypoelasticPlastic"}),
     ],
 )
 def test_short_names_are_understood(name, classes):
-    """Initials, the beginning of a card's type, parts, in any case."""
+    """Initials, the beginning of a card's type, parts, in any case; what a card gets without a block."""
     assert {model.law.__name__ for _slot, model in find_models(name)} == classes
 
 

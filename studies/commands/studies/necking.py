@@ -9,7 +9,8 @@ examples:
 SCENE is necking-simo (if left out), necking-jc-42crmo4, necking-weldox-damage, necking-gtn, necking-plane-strain, or an
 XML file. It writes results.json, runs/*.json and report.html with all curves over each other. Runs go to one process a
 processor; one that goes wrong stops nothing, and one that was made is not made again with --resume.
-Exit status: 0 when every criterion is met; 1 when some is not; 2 bad input.
+Exit status: 0 when every criterion is met; 1 when some is not; 2 bad input; 3 when a run has stopped on its way, whose
+curves up to there are kept.
 """
 
 import argparse
@@ -45,7 +46,12 @@ def execute(options: argparse.Namespace) -> int:
     from studies.verification.text import criterion_text
 
     out = Path(options.resume or options.out or default_folder(Path(options.scene).stem))
-    began = time.monotonic()
+    began, statuses = time.monotonic(), [0]
+
+    def tell(result: dict, done: int, all_: int) -> None:
+        statuses.append(result.get("exit_status", 0))
+        _tell(result, done, all_, time.monotonic() - began)
+
     outcome = study_necking(
         options.scene,
         out,
@@ -53,7 +59,7 @@ def execute(options: argparse.Namespace) -> int:
         quick=options.quick,
         going_on=options.resume is not None,
         workers=options.workers,
-        tell=lambda result, done, all_: _tell(result, done, all_, time.monotonic() - began),
+        tell=tell,
     )
     met = sum(criterion.met for criterion in outcome.criteria)
     told = [
@@ -62,10 +68,10 @@ def execute(options: argparse.Namespace) -> int:
     ]
     remark = "" if (out / "report.html").exists() else outcome.remarks[-1]
     print_study(out, "\n".join(told), remark, as_json=options.json)
-    return 0 if met == len(outcome.criteria) else UNMET
+    return max(statuses) or (0 if met == len(outcome.criteria) else UNMET)
 
 
 def _tell(result: dict, done: int, all_: int, passed: float) -> None:
-    said = f"{result['seconds']:.1f} s" if "seconds" in result else result["message"][:120]
+    said = result["message"][:120] or f"{result['seconds']:.1f} s"
     left = clock(passed / done * (all_ - done))
     print(f"[{done}/{all_}, {left} left] {result['key']}: {said}", file=sys.stderr, flush=True)

@@ -1,33 +1,24 @@
 """The largest load that equilibrium was found for, in words."""
 
+from collections.abc import Callable
+
 import numpy as np
 
-from core_models.geometry import Geometry
 from core_models.loads import BodyForce, Load, Pressure, Traction, at_time
-from fem.external import ExternalForces
-from meshes.mesh import Mesh
-
-ADVICE = "prescribe displacements, or follow the path with path=PathLength(...) or path=BoundaryMotion(...)"
 
 
 def growing_loads(
-    loads: tuple[Load, ...],
-    mesh: Mesh,
-    geometry: Geometry,
-    masses: np.ndarray,
-    x: np.ndarray,
-    times: tuple[float, float],
+    loads: tuple[Load, ...], forces: Callable[[Load, float], np.ndarray], times: tuple[float, float]
 ) -> str:
-    """Loads that differ between two times [s] on nodes at x (n, d) [m], and their sizes at the first; '' if none does.
+    """Loads that differ between two times [s], and their sizes at the first; '' if none does.
 
-    masses (n,) : of the nodes [kg].
+    forces : of a load at a time on the body as it is, (n, d) [N], whose sum is the resultant.
     """
     told = []
     for load in loads:
         if not isinstance(load, Traction | BodyForce | Pressure):
             continue
-        external = ExternalForces((load,), mesh, geometry, masses)
-        before, after = (external.at(x, time) for time in times)
+        before, after = (forces(load, time) for time in times)
         if not np.array_equal(before, after):
             told.append(_size(load, before, times[0]))
     return ", ".join(told)
