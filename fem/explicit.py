@@ -23,7 +23,7 @@ from core_models.redo import VANISHING_STEP, redoing, step_within
 from core_models.threads import Threads
 from core_models.walls import Wall, as_wall, check_above
 from fem.body import Body
-from fem.checkpoint import Restartable
+from fem.checkpoint import RestartableSteps
 from fem.conduction import Conduction
 from fem.cures.choice import find_cure
 from fem.elements import FULL
@@ -37,7 +37,7 @@ from meshes.mesh import Mesh, check_mesh
 from meshes.single_body import refuse_several_bodies
 
 
-class ExplicitSolver(Restartable, Readout):
+class ExplicitSolver(RestartableSteps, Readout):
     """Explicit dynamics of a body.
 
     Parameters

@@ -53,9 +53,8 @@ class QuasiStatic:
     ) -> None:  # fmt: skip
         """Begin at time 0.
 
-        nodes (n, d) : positions in the reference body [m]. condition : number
-        of the stiffness at the start, for the log. measure : of the way along a path of equilibrium, None for
-        loads that follow their histories in time.
+        nodes (n, d) : positions in the reference body [m]. condition : number of the stiffness at the start, for the
+        log. measure : of the way along a path of equilibrium, None for loads that follow their histories in time.
         """
         check_between("tolerance", tolerance, 1e-12, 1e-3)
         check_between("iterations", iterations, 0, math.inf)

@@ -67,6 +67,7 @@ def linearise_point(update, rows, k, model, flow, step, place, stresses, tangent
     back = transposed(product(motion.rotation_before, problem.elastic.axes))
     is_weak = has_no_strength(model, before, step.volume_ratio_0)
     bulk = elastic_moduli(model.elasticity)[0]
+    share = mean_stress / mean(returned.stress) if mean(returned.stress) != 0.0 else 1.0
     for number in range(9):
         towards = direction(number, inverse_f, j)
         rate, spin = strain_change(motion, towards)
@@ -76,7 +77,6 @@ def linearise_point(update, rows, k, model, flow, step, place, stresses, tangent
         else:
             trial = stressed(problem.elastic, strain)
             change = anisotropic_change(model.yield_condition, model, flow, problem, returned, rows, k, trial)
-        share = mean_stress / mean(returned.stress) if mean(returned.stress) != 0.0 else 1.0
         change = plus_isotropic(deviator(change), share * mean(change))
         change = plus(congruence(problem.axes, change), transported(spinning(motion.increment, spin), cauchy))
         change = plus(scaled(change, j), scaled(cauchy, towards.volume_ratio))

@@ -59,7 +59,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
     """
 
     method = "fem-implicit"
-    OWN = (("_body", ("scales",)), ("_conduction", ("temperatures",)))
+    PARTS = (*RestartableIncrements.PARTS, ("_body", ("scales",)), ("_conduction", ("temperatures",)))
     ADVICE = (
         "prescribe displacements, or follow the path with path=PathLength(...) or path=BoundaryMotion(...)"
     )

@@ -73,7 +73,7 @@ class ImplicitSolver(RestartableIncrements, QuasiStatic, Body):
     """
 
     method = "mpm-implicit"
-    OWN = (("_weak", ("moved", "reactions", "time")),)
+    PARTS = (*RestartableIncrements.PARTS, ("_weak", ("moved", "reactions", "time")))
 
     def __init__(
         self,
