@@ -126,15 +126,6 @@ METHODS = {
 
 IMPLICIT = ("fem-implicit", "mpm-implicit")
 
-OPTIONS = {
-    "fem-implicit": ("integration", "cure", "tolerance"),
-    "fem-explicit": ("integration", "cure", "hourglass"),
-    "mpm-tl": ("interpolation", "transfer", "cure", "seeding", "cfl"),
-    "mpm-implicit": ("interpolation", "cure", "seeding", "ghost", "tolerance"),
-    "mpm": ("interpolation", "transfer", "cure", "seeding", "cfl"),
-}
-"""Name of a method: options of its solver that a run may give."""
-
 
 def _static(scene: NeckingScene, plan: PlannedRun, make: Callable) -> NeckingRun:
     began = time.process_time()

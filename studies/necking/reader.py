@@ -52,7 +52,7 @@ from studies.necking.scene import (
     PlannedRun,
     UniformPeak,
 )
-from studies.necking_methods import DELETE, IMPLICIT, METHODS, OPTIONS
+from studies.necking_methods import DELETE, IMPLICIT, METHODS
 from studies.scene_attributes import (
     choice,
     local_file,
@@ -61,14 +61,14 @@ from studies.scene_attributes import (
     required_text,
 )
 from studies.shipped_scenes import SCENES_FOLDER
+from studies.solver_options import SOLVER_OPTIONS
 
 FOLDER = SCENES_FOLDER / "necking"
 BODIES = {"round_bar": ROUND_BAR, "strip": STRIP}
 CHECKS = ("expect", "agree", "near", "same_limit", "newton", "uniform_peak")
 REPEATABLE = ("run", "curve", *CHECKS)
 TAGS = ("description", "source", "material", *BODIES, "pull", *REPEATABLE)
-WORDS = ("integration", "cure", "interpolation", "transfer", "seeding")
-NUMBERS = ("tolerance", "hourglass", "ghost", "cfl")
+OPTIONS = tuple({name: None for options in SOLVER_OPTIONS.values() for name in options})
 
 
 def necking_scenes() -> dict[str, Path]:
@@ -157,12 +157,8 @@ def _material(element: etree._Element) -> Material:
 
 def _run(element: etree._Element) -> PlannedRun:
     plain = {each.name: each.type for each in fields(PlannedRun) if each.name != "options"}
-    check_attributes(element, (*plain, *WORDS, *NUMBERS))
+    check_attributes(element, (*plain, *OPTIONS))
     method = choice(element, "method", tuple(METHODS))
-    for name in (*WORDS, *NUMBERS):
-        if element.get(name) is not None and name not in OPTIONS[method]:
-            valid = ", ".join(OPTIONS[method])
-            raise refusal(element, f"{method} has no option {name}", f"it has {valid}", SceneError)
     if element.get("erosion") is not None:
         choice(element, "erosion", (DELETE,))
     given: dict[str, Any] = {}
@@ -179,14 +175,23 @@ def _run(element: etree._Element) -> PlannedRun:
             given[name] = _above_zero(element, name)
         else:
             given[name] = required_number(element, name)
-    options: dict[str, str | float] = {name: element.get(name) for name in WORDS if element.get(name)}
-    options |= {name: required_number(element, name) for name in NUMBERS if element.get(name)}
     for name in ("name", "across", "along", *(("increments",) if method in IMPLICIT else ())):
         required_text(element, name)
     for name in ("periods", "damage_radius"):
         if given.get(name, 0.0) < 0.0:
             raise refusal(element, f'{name}="{given[name]:g}"', "write a number from 0", SceneError)
-    return PlannedRun(**given, options=options)
+    return PlannedRun(**given, options=_options(element, method))
+
+
+def _options(element: etree._Element, method: str) -> dict[str, str | float]:
+    given, known = [name for name in OPTIONS if name in element.attrib], SOLVER_OPTIONS[method]
+    for name in given:
+        if name not in known:
+            raise refusal(element, f"{method} has no option {name}", "it has " + ", ".join(known), SceneError)
+    return {
+        name: choice(element, name, known[name]) if known[name] else required_number(element, name)
+        for name in given
+    }
 
 
 def _above_zero(element: etree._Element, name: str) -> float:
