@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from core_models.equilibrium.order import newton_orders
+from core_models.equilibrium.stepping import QuasiStatic
 from core_models.erosion.delete import DeletePoint
 from core_models.errors import RunFailure, SceneError
 from core_models.loads import Load, Prescribed, Symmetry
@@ -56,6 +57,27 @@ class NeckingRun:
 
 def make_run(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     """One run of a scene, `stopped` where it goes wrong on its way; MatpointError for what cannot be at all."""
+    began = time.process_time()
+    scene = scene_of(scene, plan)
+    run = pulled(scene, METHODS[plan.method](scene, plan), plan.periods > 0.0)
+    return replace(run, seconds=time.process_time() - began)
+
+
+def pulled(scene: NeckingScene, solver: Any, is_scaled: bool) -> NeckingRun:
+    """The run that a solver makes which one of METHODS has built; its seconds are those of the pull.
+
+    is_scaled : whether its mass is, so that kinetic energy must stay small; RunFailure where it does not.
+    """
+    began = time.process_time()
+    if isinstance(solver, QuasiStatic):
+        run = _pulled_statically(scene, solver)
+    else:
+        run = _pulled_in_time(scene, solver, is_scaled)
+    return replace(run, seconds=time.process_time() - began)
+
+
+def scene_of(scene: NeckingScene, plan: PlannedRun) -> NeckingScene:
+    """The scene with what a run has in place of its own; SceneError where it lacks what the run asks for."""
     material = scene.material if plan.update is None else with_update(scene.material, plan.update)
     if plan.damage_radius is not None:
         material = replace(material, damage_radius=plan.damage_radius or None)
@@ -68,30 +90,29 @@ def make_run(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
         material = replace(material, erosion=DeletePoint(material.erosion.decay_time))
     taper = scene.taper if plan.taper is None else plan.taper
     duration = scene.duration if plan.duration is None else plan.duration
-    scene = replace(scene, material=material, taper=taper, duration=duration)
-    return METHODS[plan.method](scene, plan)
+    return replace(scene, material=material, taper=taper, duration=duration)
 
 
-def _fem_implicit(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
+def _fem_implicit(scene: NeckingScene, plan: PlannedRun) -> Any:
     import fem
 
     return _static(scene, plan, lambda body, **options: fem.ImplicitSolver(body, **options))
 
 
-def _mpm_implicit(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
+def _mpm_implicit(scene: NeckingScene, plan: PlannedRun) -> Any:
     import mpm
 
     lines = [np.linspace(0.0, scene.radius, plan.across + 1), _graded(scene.length, plan.along, plan.grading)]
     return _static(scene, plan, lambda body, **options: mpm.ImplicitSolver(body, cell_size=lines, **options))
 
 
-def _fem_explicit(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
+def _fem_explicit(scene: NeckingScene, plan: PlannedRun) -> Any:
     import fem
 
     return _explicit(scene, plan, lambda body, **options: fem.ExplicitSolver(body, **options))
 
 
-def _total_mpm(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
+def _total_mpm(scene: NeckingScene, plan: PlannedRun) -> Any:
     """The grid covers the reference body."""
     import mpm
 
@@ -104,7 +125,7 @@ def _total_mpm(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
     )
 
 
-def _updated_mpm(scene: NeckingScene, plan: PlannedRun) -> NeckingRun:
+def _updated_mpm(scene: NeckingScene, plan: PlannedRun) -> Any:
     """The grid covers the body as it is; a neck stretches the particles' domains, so that there are many to a cell."""
     import mpm
 
@@ -122,7 +143,7 @@ METHODS = {
     "mpm-implicit": _mpm_implicit,
     "mpm": _updated_mpm,
 }
-"""Name of a method: what makes a run of it."""
+"""Name of a method: what builds the solver of a run."""
 
 IMPLICIT = ("fem-implicit", "mpm-implicit")
 
@@ -136,12 +157,14 @@ OPTIONS = {
 """Name of a method: options of its solver that a run may give."""
 
 
-def _static(scene: NeckingScene, plan: PlannedRun, make: Callable) -> NeckingRun:
-    began = time.process_time()
-    solver = make(
+def _static(scene: NeckingScene, plan: PlannedRun, make: Callable) -> Any:
+    return make(
         body_of(scene, plan), material=scene.material, loads=loads_of(scene, scene.pull / scene.duration),
         increment=scene.duration / plan.increments, geometry=_geometry(scene), **_options(plan),
     )  # fmt: skip
+
+
+def _pulled_statically(scene: NeckingScene, solver: QuasiStatic) -> NeckingRun:
     watch, stopped = NeckingWatch(solver, scene.body != STRIP), ""
     while solver.time < scene.duration and not stopped:
         try:
@@ -154,20 +177,22 @@ def _static(scene: NeckingScene, plan: PlannedRun, make: Callable) -> NeckingRun
             watch.add(solver, float(solver.boundary_force("end")[1]))
     log = solver.log
     return NeckingRun(
-        watch.history, *_shape(solver), time.process_time() - began, solver.step_count, 0.0, len(log.iterations),
-        len(log.cuts), tuple(newton_orders(log)), stopped,
+        watch.history, *_shape(solver), 0.0, solver.step_count, 0.0, len(log.iterations), len(log.cuts),
+        tuple(newton_orders(log)), stopped,
     )  # fmt: skip
 
 
-def _explicit(scene: NeckingScene, plan: PlannedRun, make: Callable, crowd: int = 1) -> NeckingRun:
-    began = time.process_time()
+def _explicit(scene: NeckingScene, plan: PlannedRun, make: Callable, crowd: int = 1) -> Any:
     start = START * scene.duration
     speed = scene.pull / (scene.duration - 0.5 * start)
     body, material = body_of(scene, plan, crowd), scene.material
     if plan.periods > 0.0:
         material = _slowed(scene, plan.periods)
     loads = loads_of(scene, lambda _places, t: speed * min(t / start, 1.0))
-    solver = make(body, material=material, loads=loads, geometry=_geometry(scene), **_options(plan))
+    return make(body, material=material, loads=loads, geometry=_geometry(scene), **_options(plan))
+
+
+def _pulled_in_time(scene: NeckingScene, solver: Any, is_scaled: bool) -> NeckingRun:
     watch, kinetic = NeckingWatch(solver, scene.body != STRIP), KineticWatch(ELASTIC * scene.duration)
     for row in range(ROWS):
         # Elastic waves run through the bar: a row's force is the mean over the time since the row before.
@@ -180,10 +205,9 @@ def _explicit(scene: NeckingScene, plan: PlannedRun, make: Callable, crowd: int 
         watch.add(solver, impulse / (end - before))
         if not watch.history.rows[-1][NeckingHistory.COLUMNS.index("failed")]:
             kinetic.look(solver)
-    if plan.periods > 0.0:
+    if is_scaled:
         kinetic.check()
-    seconds = time.process_time() - began
-    return NeckingRun(watch.history, *_shape(solver), seconds, solver.step_count, kinetic.share)
+    return NeckingRun(watch.history, *_shape(solver), 0.0, solver.step_count, kinetic.share)
 
 
 def _slowed(scene: NeckingScene, periods: float) -> Material:
