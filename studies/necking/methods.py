@@ -59,7 +59,7 @@ def scene_of(scene: NeckingScene, plan: PlannedRun) -> NeckingScene:
                 f"{scene.name}: {plan.name} deletes failed points, but its material has no <erosion>: add it, "
                 "or leave out erosion"
             )
-        material = replace(material, erosion=DeletePoint())
+        material = replace(material, erosion=DeletePoint(material.erosion.decay_time))
     taper = scene.taper if plan.taper is None else plan.taper
     duration = scene.duration if plan.duration is None else plan.duration
     return replace(scene, material=material, taper=taper, duration=duration)
