@@ -5,7 +5,7 @@ from pathlib import Path
 
 from core_models.material import Material
 
-ROUND_BAR, STRIP = "round-bar", "strip"
+ROUND_BAR, SQUARE_BAR, STRIP = "round-bar", "square-bar", "strip"
 COUNTS = ("cuts", "kinetic_share", "strained_share")
 """Quantities of a run that are not of its history."""
 
@@ -20,7 +20,8 @@ class PlannedRun:
     time and density. conduction : whether heat is conducted. taper, update, duration, damage_radius : in place of the
     scene's, damage_radius 0 for local damage; erosion 'delete': failed points are out, which an
     equilibrium cannot bear. options : of the solver.
-    quick : whether `--quick` makes it. note : said of it in the report.
+    quick : whether `--quick` makes it; extra : whether it is made only when asked for by name. note : said of it in the
+    report.
     """
 
     name: str
@@ -39,7 +40,13 @@ class PlannedRun:
     erosion: str | None = None
     options: dict[str, str | float] = field(default_factory=dict)
     quick: bool = False
+    extra: bool = False
     note: str = ""
+
+    @property
+    def solver_options(self) -> dict[str, str | float | bool]:
+        """Arguments of the solver."""
+        return {**self.options, "conduction": True} if self.conduction else dict(self.options)
 
     @property
     def label(self) -> str:
@@ -125,8 +132,9 @@ class NeckingCurve:
 class NeckingScene:
     """A body pulled at both ends, of which half is simulated.
 
-    body : 'round-bar' or 'strip', of which radius is half the width. radius, length (of the half), pull (of each end)
-    [m]; taper: radius at the neck over that at the end; held: whether the ends cannot contract; duration [s].
+    body : 'round-bar', 'square-bar' or 'strip'; of the latter two radius is half the width. radius, length (of the
+    half), pull (of each end) [m]; taper: radius at the neck over that at the end; held: whether the ends cannot
+    contract; duration [s].
     """
 
     name: str

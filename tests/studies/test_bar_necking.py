@@ -32,12 +32,13 @@ from studies.bar_necking import (
 from studies.command_line import main
 from studies.material_finder import with_update
 from studies.necking.curves import read_curve
+from studies.necking.methods import make_run
 from studies.necking.reader import CHECKS, necking_scenes, read_necking_scene
 from studies.necking.record import perform_run
+from studies.necking.run import NeckingRun
 from studies.necking.scene import PlannedRun
 from studies.necking.study import planned, study_necking
 from studies.necking.verdicts import criteria_of
-from studies.necking_methods import NeckingRun, make_run
 from studies.quasi_static import KineticWatch, slow_enough
 from studies.solver_options import ELEMENTS, PARTICLES, SOLVER_OPTIONS
 from studies.sweep.job import FAILED, perform
