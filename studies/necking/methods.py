@@ -16,6 +16,7 @@ from studies.necking.scene import NeckingScene, PlannedRun
 from studies.necking.static_run import pull_statically
 
 DELETE = "delete"
+OWN = ("body", "radius", "taper", "duration")  # of the scene that a run may have its own of
 CROWD = 2  # elements that particles are seeded from along the axis of a cell: each holds two
 
 
@@ -34,9 +35,8 @@ def make_run(scene: NeckingScene, plan: PlannedRun, state: KeptState | None = No
                 "or leave out erosion"
             )
         material = replace(material, erosion=DeletePoint())
-    taper = scene.taper if plan.taper is None else plan.taper
-    duration = scene.duration if plan.duration is None else plan.duration
-    scene = replace(scene, material=material, taper=taper, duration=duration)
+    own = {name: getattr(plan, name) for name in OWN if getattr(plan, name) is not None}
+    scene = replace(scene, material=material, **own)
     return METHODS[plan.method](scene, plan, state or KeptState(None))
 
 

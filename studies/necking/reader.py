@@ -172,6 +172,8 @@ def _run(element: etree._Element, body: str) -> PlannedRun:
         if element.get(name) is not None and name not in OPTIONS[method]:
             valid = ", ".join(OPTIONS[method])
             raise refusal(element, f"{method} has no option {name}", f"it has {valid}", SceneError)
+    if element.get("body") is not None:
+        choice(element, "body", tuple(BODIES.values()))
     if element.get("erosion") is not None:
         choice(element, "erosion", (DELETE,))
     given: dict[str, Any] = {}
@@ -184,7 +186,7 @@ def _run(element: etree._Element, body: str) -> PlannedRun:
             given[name] = _whole(element, name)
         elif kind in (str, str | None):
             given[name] = required_text(element, name)
-        elif name in ("grading", "duration"):
+        elif name in ("grading", "duration", "radius"):
             given[name] = _above_zero(element, name)
         else:
             given[name] = required_number(element, name)
@@ -197,7 +199,7 @@ def _run(element: etree._Element, body: str) -> PlannedRun:
             raise refusal(element, f'{name}="{given[name]:g}"', "write a number from 0", SceneError)
     plan = PlannedRun(**given, options=options)
     try:
-        check_kind(body, plan.kind)
+        check_kind(plan.body or body, plan.kind)
     except (MeshError, SceneError) as error:
         raise refusal(element, str(error), 'change kind="..."', SceneError) from None
     return plan
