@@ -20,6 +20,7 @@ from studies.necking.scene import NeckingScene, PlannedRun
 from studies.necking.static_run import pull_statically
 
 DELETE = "delete"
+OWN = ("body", "radius", "taper", "duration")  # of the scene that a run may have its own of
 START = 0.05  # share of the duration in which the end speeds up
 CROWD = 2  # elements that particles are seeded from along the axis of a cell: each holds two
 
@@ -60,9 +61,8 @@ def scene_of(scene: NeckingScene, plan: PlannedRun) -> NeckingScene:
                 "or leave out erosion"
             )
         material = replace(material, erosion=DeletePoint(material.erosion.decay_time))
-    taper = scene.taper if plan.taper is None else plan.taper
-    duration = scene.duration if plan.duration is None else plan.duration
-    return replace(scene, material=material, taper=taper, duration=duration)
+    own = {name: getattr(plan, name) for name in OWN if getattr(plan, name) is not None}
+    return replace(scene, material=material, **own)
 
 
 def _fem_implicit(scene: NeckingScene, plan: PlannedRun) -> Any:
