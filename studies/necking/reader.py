@@ -38,7 +38,7 @@ from core_models.material import Material
 from core_models.names import suggestion
 from studies.bar_necking import QUANTITIES, NeckingHistory
 from studies.necking.bodies import check_kind
-from studies.necking.methods import DELETE, IMPLICIT, METHODS, OPTIONS
+from studies.necking.methods import DELETE, IMPLICIT, METHODS
 from studies.necking.scene import (
     COUNTS,
     ROUND_BAR,
@@ -63,15 +63,15 @@ from studies.scene_attributes import (
     required_text,
 )
 from studies.shipped_scenes import SCENES_FOLDER
+from studies.solver_options import SOLVER_OPTIONS
 
 FOLDER = SCENES_FOLDER / "necking"
 BODIES = {"round_bar": ROUND_BAR, "square_bar": SQUARE_BAR, "strip": STRIP}
 CHECKS = ("expect", "agree", "near", "same_limit", "newton", "uniform_peak")
 REPEATABLE = ("run", "curve", *CHECKS)
 TAGS = ("description", "source", "material", *BODIES, "pull", *REPEATABLE)
-WORDS = ("integration", "cure", "interpolation", "transfer", "seeding")
+OPTIONS = tuple({name: None for options in SOLVER_OPTIONS.values() for name in options})
 CHANGEABLE = ("increments", "tolerance", "note", "quick", "extra")
-NUMBERS = ("tolerance", "hourglass", "ghost", "cfl")
 
 
 def necking_scenes() -> dict[str, Path]:
@@ -166,12 +166,8 @@ def _material(element: etree._Element) -> Material:
 
 def _run(element: etree._Element, body: str) -> PlannedRun:
     plain = {each.name: each.type for each in fields(PlannedRun) if each.name != "options"}
-    check_attributes(element, (*plain, *WORDS, *NUMBERS))
+    check_attributes(element, (*plain, *OPTIONS))
     method = choice(element, "method", tuple(METHODS))
-    for name in (*WORDS, *NUMBERS):
-        if element.get(name) is not None and name not in OPTIONS[method]:
-            valid = ", ".join(OPTIONS[method])
-            raise refusal(element, f"{method} has no option {name}", f"it has {valid}", SceneError)
     if element.get("body") is not None:
         choice(element, "body", tuple(BODIES.values()))
     if element.get("erosion") is not None:
@@ -190,19 +186,28 @@ def _run(element: etree._Element, body: str) -> PlannedRun:
             given[name] = _above_zero(element, name)
         else:
             given[name] = required_number(element, name)
-    options: dict[str, str | float] = {name: element.get(name) for name in WORDS if element.get(name)}
-    options |= {name: required_number(element, name) for name in NUMBERS if element.get(name)}
     for name in ("name", "across", "along", *(("increments",) if method in IMPLICIT else ())):
         required_text(element, name)
     for name in ("periods", "damage_radius"):
         if given.get(name, 0.0) < 0.0:
             raise refusal(element, f'{name}="{given[name]:g}"', "write a number from 0", SceneError)
-    plan = PlannedRun(**given, options=options)
+    plan = PlannedRun(**given, options=_options(element, method))
     try:
         check_kind(plan.body or body, plan.kind)
     except (MeshError, SceneError) as error:
         raise refusal(element, str(error), 'change kind="..."', SceneError) from None
     return plan
+
+
+def _options(element: etree._Element, method: str) -> dict[str, str | float]:
+    given, known = [name for name in OPTIONS if name in element.attrib], SOLVER_OPTIONS[method]
+    for name in given:
+        if name not in known:
+            raise refusal(element, f"{method} has no option {name}", "it has " + ", ".join(known), SceneError)
+    return {
+        name: choice(element, name, known[name]) if known[name] else required_number(element, name)
+        for name in given
+    }
 
 
 def _above_zero(element: etree._Element, name: str) -> float:

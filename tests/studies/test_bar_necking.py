@@ -16,7 +16,10 @@ from core_models.equilibrium.stepping import QuasiStatic
 from core_models.errors import CardError, NoEquilibrium, OutputError, RunFailure, SceneError
 from core_models.ledger import EnergyLedger
 from core_models.loads import Prescribed, Symmetry
+from fem.cures.choice import CURES
 from meshes.block import block
+from mpm.implicit.splines import DEGREES
+from mpm.interpolation.catalogue import INTERPOLATIONS
 from studies.bar_necking import (
     NeckingHistory,
     at_elongation,
@@ -32,7 +35,7 @@ from studies.material_finder import with_update
 from studies.necking.course import Course
 from studies.necking.curves import read_curve
 from studies.necking.kept_state import KeptState
-from studies.necking.methods import OPTIONS, make_run
+from studies.necking.methods import make_run
 from studies.necking.reader import CHECKS, necking_scenes, read_necking_scene
 from studies.necking.record import perform_run
 from studies.necking.run import NeckingRun
@@ -40,6 +43,7 @@ from studies.necking.scene import PlannedRun
 from studies.necking.study import planned, study_necking
 from studies.necking.verdicts import criteria_of
 from studies.quasi_static import KineticWatch, slow_enough
+from studies.solver_options import ELEMENTS, PARTICLES, SOLVER_OPTIONS
 from studies.sweep.job import FAILED, perform
 
 LENGTH = 0.1
@@ -240,6 +244,7 @@ def test_a_study_is_kept_and_gone_on_with(tmp_path):
             'increments="3" transfer="flip"',
             "has no option transfer; it has integration, cure",
         ),
+        ('increments="3"', 'increments="3" integration="redced"', "did you mean 'reduced'"),
         ('increments="3"', 'increments="3" periods="-2"', "write a number from 0"),
         (
             '<run name="one"',
@@ -260,13 +265,16 @@ def test_scenes_that_make_no_sense_are_refused(old, new, told, tmp_path):
 
 
 def test_options_of_runs_are_those_of_the_solvers():
-    """Each that a scene may give is an argument of the method's solver."""
+    """Each that a scene may give is an argument of the method's solver, and takes the words that the solver knows."""
     solvers = {
         "fem-implicit": fem.ImplicitSolver, "fem-explicit": fem.ExplicitSolver, "mpm-tl": mpm.Solver,
         "mpm-implicit": mpm.ImplicitSolver, "mpm": mpm.Solver,
     }  # fmt: skip
-    for method, options in OPTIONS.items():
+    for method, options in SOLVER_OPTIONS.items():
         assert set(options) <= set(inspect.signature(solvers[method]).parameters)
+    assert ELEMENTS["cure"] == CURES
+    assert set(PARTICLES["interpolation"]) == set(INTERPOLATIONS)
+    assert set(SOLVER_OPTIONS["mpm-implicit"]["interpolation"]) == set(DEGREES)
 
 
 class Killed(BaseException):
