@@ -127,8 +127,8 @@ METHODS = {
 IMPLICIT = ("fem-implicit", "mpm-implicit")
 
 OPTIONS = {
-    "fem-implicit": ("integration", "cure", "tolerance"),
-    "fem-explicit": ("integration", "cure", "hourglass"),
+    "fem-implicit": ("integration", "cure", "own_share", "tolerance"),
+    "fem-explicit": ("integration", "cure", "own_share", "hourglass"),
     "mpm-tl": ("interpolation", "transfer", "cure", "seeding", "cfl"),
     "mpm-implicit": ("interpolation", "cure", "seeding", "ghost", "tolerance"),
     "mpm": ("interpolation", "transfer", "cure", "seeding", "cfl"),

@@ -68,7 +68,7 @@ CHECKS = ("expect", "agree", "near", "same_limit", "newton", "uniform_peak")
 REPEATABLE = ("run", "curve", *CHECKS)
 TAGS = ("description", "source", "material", *BODIES, "pull", *REPEATABLE)
 WORDS = ("integration", "cure", "interpolation", "transfer", "seeding")
-NUMBERS = ("tolerance", "hourglass", "ghost", "cfl")
+NUMBERS = ("tolerance", "own_share", "hourglass", "ghost", "cfl")
 
 
 def necking_scenes() -> dict[str, Path]:
