@@ -139,7 +139,7 @@ class Stepping:
     def _conduct(self, dt: float) -> None:
         """Conduct heat, if the scene asks for it, on the grid and with the shape that the step began with."""
         if self._conduction is not None:
-            self.ledger.heat += self._conduction.advance(
+            self._ledger.heat += self._conduction.advance(
                 self._background,
                 dt,
                 self.time,

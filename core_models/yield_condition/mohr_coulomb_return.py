@@ -1,4 +1,8 @@
-"""Return to Mohr and Coulomb's surface: to a plane, an edge, a corner or the apex."""
+"""Return to Mohr and Coulomb's surface: to a plane, an edge, a corner or the apex.
+
+At the apex dp is that of the shear or of the volume, dv (3 - sin) / (6 sin) with the sine of the friction angle
+(core_models.yield_condition.apex), as on the cone that the pyramid's edges of triaxial compression lie on.
+"""
 
 import math
 
@@ -7,14 +11,13 @@ from core_models.principal_axes import from_principal, principal
 from core_models.updates.general_problem import (
     NO_STRESS,
     Returned,
-    allowance,
     mean_stress,
     return_stress,
     status_of,
     strength,
     unchanged,
-    volume_at,
 )
+from core_models.yield_condition.apex import Apex, apex_flow
 from core_models.yield_condition.mohr_coulomb import MohrCoulomb
 from core_models.yield_condition.mohr_coulomb_planes import (
     APEX,
@@ -73,20 +76,18 @@ def _is_admissible(law, problem, gammas, stress, cohesion, limit):
 @beside_kernel
 def _apex(law, model, flow, problem, values):
     """Return to the point where all principal stresses are equal."""
-    increment = math.sqrt(dot(values, values) / 6.0) / problem.shear
-    now = strength(flow, problem, increment)
-    target = _apex_stress(law, now.stress)
-    limit = allowance(problem, now.stress, mean_stress(model.eos, problem, problem.volume)[1])
-    volume, stress, bulk = volume_at(model.eos, problem, target, limit)
-    converged = abs(stress - target) <= 10.0 * limit and volume <= problem.volume
+    sheared = math.sqrt(dot(values, values) / 6.0) / problem.shear
+    end = apex_flow(apex_of(law), model.eos, flow, problem, sheared)
     return Returned(
-        status_of(converged), APEX, NO_STRESS, volume, stress, bulk, increment, now.variable,
+        status_of(end.converged and end.volume <= problem.volume), APEX + end.kind, NO_STRESS, end.volume,
+        end.mean_stress, end.bulk, end.increment, strength(flow, problem, end.increment).variable,
         problem.porosity, 0.0,
     )  # fmt: skip
 
 
 @inside_kernel
-def _apex_stress(law, cohesion):
-    """Largest mean stress [Pa]."""
-    tangent = math.tan(law.friction_angle * DEGREE)
-    return min(law.tension_cutoff, cohesion / tangent if tangent > 0.0 else math.inf)
+def apex_of(law):
+    """Apex of the pyramid: `Apex`. The edges of triaxial compression grow most: g = 6 sin / (3 - sin)."""
+    angle = law.friction_angle * DEGREE
+    sine = math.sin(angle)
+    return Apex(math.tan(angle), 6.0 * sine / (3.0 - sine), law.tension_cutoff)

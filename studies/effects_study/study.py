@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from core_models.walls import check_wall
-from studies.bar_outline import bar_outline
-from studies.bar_shape import foot_radius, length
+from studies.bar.outline import bar_outline
+from studies.bar.shape import foot_radius, length
 from studies.effects_study.decisions import Decision, decisions
 from studies.effects_study.switches import SWITCHES
 from studies.methods import build_solver, check_run

@@ -9,6 +9,7 @@ from studies.bar_necking import quantity, uniform_peak
 from studies.convergence import extrapolate
 from studies.material_finder import with_update
 from studies.necking.curves import read_curve
+from studies.necking.run import NeckingRun
 from studies.necking.scene import (
     COUNTS,
     Agreement,
@@ -21,7 +22,6 @@ from studies.necking.scene import (
     PlannedRun,
     UniformPeak,
 )
-from studies.necking_methods import NeckingRun
 from studies.verification.outcome import Criterion, Table
 
 Runs = Mapping[str, NeckingRun]

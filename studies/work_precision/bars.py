@@ -3,8 +3,8 @@
 from dataclasses import replace
 from typing import Any
 
-from studies.bar_outline import bar_outline
-from studies.bar_shape import foot_radius, length
+from studies.bar.outline import bar_outline
+from studies.bar.shape import foot_radius, length
 from studies.methods import build_solver
 from studies.scene import End, Scene
 from studies.scene_reader import read_scene
@@ -15,6 +15,7 @@ RESOLUTIONS = {
     "fem-explicit": (4, 6, 8, 12, 16),
     "fem-explicit:quad8": (2, 3, 4, 5, 6),  # whose steps are seven times smaller
     "mpm": (6, 8, 12, 16, 24),
+    "mpm:total": (4, 5, 6, 8, 10),  # whose steps follow the squashed particles of the foot, down to a tenth
 }
 VARIANTS = ("fem-explicit", "fem-explicit:reduced", "fem-explicit:quad8", "mpm", "mpm:cubic", "mpm:total")
 PUBLISHED = 0.0005  # relative uncertainty of a published value that is given to four digits

@@ -6,6 +6,7 @@ from dataclasses import asdict, dataclass, field
 from statistics import median
 from typing import Any
 
+from core_models.equilibrium.stepping import QuasiStatic
 from core_models.errors import MatpointError
 from studies.costs import measured
 
@@ -19,7 +20,7 @@ class Measurement:
 
     values : answers by quantity [SI]. seconds : processor time of the steps, median of the repeats; spread : of these,
     largest over smallest; repeats : how many. wall_s : the same by the clock. compile_s : compilation, which is part of
-    neither. memory_bytes : largest of the process. message : why there are no values.
+    neither. linear_solves : of implicit runs. memory_bytes : largest of the process. message : why there are no values.
     """
 
     variant: str
@@ -36,6 +37,7 @@ class Measurement:
     threads: int = 1
     wall_s: float = 0.0
     repeats: int = 1
+    linear_solves: int = 0
 
     def as_json(self) -> dict[str, Any]:
         """Plain data."""
@@ -85,4 +87,11 @@ def measure_run(
         threads=threads,
         wall_s=median(walls),
         repeats=len(seconds),
+        linear_solves=_linear_solves(solver),
     )
+
+
+def _linear_solves(solver: Any) -> int:
+    if not isinstance(solver, QuasiStatic):
+        return 0
+    return sum(each.iterations for each in (*solver.log.increments, *solver.log.cuts))
