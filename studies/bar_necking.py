@@ -15,6 +15,9 @@ FRACTURED, DROPPED = (
 )  # of the largest force: what is left when a bar is broken, when its load has dropped
 
 
+AT_SECTION = 0.05  # of the radius: what is so near to y = 0 lies on it
+
+
 class NeckingHistory:
     """What is measured while the body is pulled, row by row.
 
@@ -116,8 +119,13 @@ def _stress_state(stress: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def neck_curvature(side: np.ndarray) -> float:
-    """Curvature [1/m] of a bar's profile (k, d) at the neck, z = 0: of the parabola through its first half radius."""
-    r, z = np.linalg.norm(side[:, :-1], axis=1), side[:, -1]
+    """Curvature [1/m] of a bar's profile at the neck, z = 0: of the parabola through its first half radius.
+
+    side : positions (k, 2) [m] on the profile, or (k, 3) on the quarter of the surface, of which it is that at y = 0.
+    """
+    if side.shape[1] == 3:
+        side = side[side[:, 1] < AT_SECTION * side[:, 0].max()]
+    r, z = side[:, 0], side[:, -1]
     near = z <= max(0.5 * r.min(), np.sort(z)[2])
     return max(2.0 * float(np.polyfit(z[near] ** 2, r[near], 1)[0]), 0.0)
 

@@ -56,9 +56,9 @@ def loads_of(scene: NeckingScene, plan: PlannedRun, velocity: Any) -> tuple[Load
     return (*(Symmetry(name) for name in ("neck", *planes)), Prescribed("end", across, velocity), *held)
 
 
-def force_of(solver, plan: PlannedRun) -> float:
+def force_of(solver: Any) -> float:
     """Force [N] that pulls the body: on the whole section of a bar, on the quarter of a strip."""
-    return float(solver.boundary_force("end")[-1]) * (QUARTERS if is_solid(plan) else 1.0)
+    return float(solver.boundary_force("end")[-1]) * (QUARTERS if solver.mesh.dimension == 3 else 1.0)
 
 
 def slowed(scene: NeckingScene, plan: PlannedRun) -> Material:

@@ -168,6 +168,8 @@ def _run(element: etree._Element, body: str) -> PlannedRun:
     plain = {each.name: each.type for each in fields(PlannedRun) if each.name != "options"}
     check_attributes(element, (*plain, *OPTIONS))
     method = choice(element, "method", tuple(METHODS))
+    if element.get("body") is not None:
+        choice(element, "body", tuple(BODIES.values()))
     if element.get("erosion") is not None:
         choice(element, "erosion", (DELETE,))
     given: dict[str, Any] = {}
@@ -180,7 +182,7 @@ def _run(element: etree._Element, body: str) -> PlannedRun:
             given[name] = _whole(element, name)
         elif kind in (str, str | None):
             given[name] = required_text(element, name)
-        elif name in ("grading", "duration"):
+        elif name in ("grading", "duration", "radius"):
             given[name] = _above_zero(element, name)
         else:
             given[name] = required_number(element, name)
@@ -191,7 +193,7 @@ def _run(element: etree._Element, body: str) -> PlannedRun:
             raise refusal(element, f'{name}="{given[name]:g}"', "write a number from 0", SceneError)
     plan = PlannedRun(**given, options=_options(element, method))
     try:
-        check_kind(body, plan.kind)
+        check_kind(plan.body or body, plan.kind)
     except (MeshError, SceneError) as error:
         raise refusal(element, str(error), 'change kind="..."', SceneError) from None
     return plan

@@ -6,6 +6,7 @@ from pathlib import Path
 from core_models.material import Material
 
 ROUND_BAR, SQUARE_BAR, STRIP = "round-bar", "square-bar", "strip"
+USUAL = "quad4"
 COUNTS = ("cuts", "kinetic_share", "strained_share")
 """Quantities of a run that are not of its history."""
 
@@ -17,8 +18,8 @@ class PlannedRun:
     name : in the scene. method : of `studies.necking.methods`. across, along : elements, for material points cells, in
     the radius and along the half; grading : size at the neck over that at the end. kind : of the elements.
     increments : of an implicit run. periods : of the lowest natural mode that an explicit one takes, 0 for the real
-    time and density. conduction : whether heat is conducted. taper, update, duration, damage_radius : in place of the
-    scene's, damage_radius 0 for local damage; erosion 'delete': failed points are out, which an
+    time and density. conduction : whether heat is conducted. body, radius, taper, update, duration, damage_radius : in
+    place of the scene's, damage_radius 0 for local damage; erosion 'delete': failed points are out, which an
     equilibrium cannot bear. options : of the solver.
     quick : whether `--quick` makes it; extra : whether it is made only when asked for by name. note : said of it in the
     report.
@@ -29,9 +30,11 @@ class PlannedRun:
     across: int
     along: int
     grading: float = 1.0
-    kind: str = "quad4"
+    kind: str = USUAL
     increments: int = 0
     periods: float = 0.0
+    body: str | None = None
+    radius: float | None = None
     taper: float | None = None
     update: str | None = None
     duration: float | None = None
@@ -51,7 +54,8 @@ class PlannedRun:
     @property
     def label(self) -> str:
         """Name, mesh and, of an implicit run, its increments."""
-        mesh = f"{self.across} × {self.along}" + ("" if self.grading == 1.0 else f" graded {self.grading:g}")
+        mesh = f"{self.across} × {self.along}" + ("" if self.kind == USUAL else f" {self.kind}")
+        mesh += "" if self.grading == 1.0 else f" graded {self.grading:g}"
         return f"{self.name}, {mesh}" + (f", {self.increments} increments" if self.increments else "")
 
 

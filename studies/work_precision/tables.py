@@ -143,25 +143,19 @@ def _plots(runs: list[Measurement], quantity: str, reference: Reference) -> Iter
 
 
 def _runs_table(runs: list[Measurement], quantities: tuple[str, ...]) -> Table:
+    solved = any(run.linear_solves for run in runs)
     rows = [
         (
-            f"{run.variant} {run.resolution}", run.points, run.steps, run.point_updates, run.seconds, run.repeats,
-            run.spread, run.compile_s, round(run.memory_bytes / 2**20), *(run.values[name] for name in quantities),
+            f"{run.variant} {run.resolution}", run.points, run.steps, run.point_updates,
+            *((run.linear_solves,) if solved else ()), run.seconds, run.repeats, run.spread, run.compile_s,
+            round(run.memory_bytes / 2**20), *(run.values[name] for name in quantities),
         )
         for run in runs if run.values
     ]  # fmt: skip
     head = (
-        "run",
-        "points",
-        "steps",
-        "point updates",
-        "s",
-        "repeats",
-        "slowest / fastest",
-        "compile s",
-        "MiB",
-        *quantities,
-    )
+        "run", "points", "steps", "point updates", *(("linear solves",) if solved else ()), "s", "repeats",
+        "slowest / fastest", "compile s", "MiB", *quantities,
+    )  # fmt: skip
     return Table("Runs", head, tuple(rows))
 
 

@@ -25,6 +25,7 @@ from studies.work_precision.measurement import Measurement, measure_run
 from studies.work_precision.problem import Reference
 from studies.work_precision.study import compare_work, find_problem, planned
 from studies.work_precision.tables import reach_table
+from studies.work_precision.verdict import verdict_section
 
 EXACT = Reference(2.0, 0.0, "made")
 RESOLUTIONS = (4, 8, 16, 32, 64)
@@ -178,6 +179,7 @@ def test_a_study_that_was_stopped_measures_only_what_is_missing(tmp_path, monkey
         (["vibrating-bra"], "vibrating-bar"),
         (["vibrating-bar", "--resolutions", "1,2"], "5 or more"),
         (["vibrating-bar", "--wall", "plane"], "has no wall"),
+        (["necking-simo", "--methods", "mpm-lt"], "mpm-tl"),
         (["taylor-classic", "--methods", "fem-explicit:hex9"], "hex8"),
     ],
 )
@@ -197,3 +199,21 @@ def test_scenes_know_what_to_be_held_against():
         assert len(planned(problem, None, None)) >= 5 * len(problem.variants)
     with pytest.raises(SceneError, match="5 or more"):
         planned(problem, None, (4, 8))
+
+
+def test_a_bar_that_necks_is_a_problem_too():
+    """Two elements across by implicit finite elements: the force near the codes' 77.3 kN, linear solves counted."""
+    problem = find_problem("necking-simo")
+    run = measure_run("fem-implicit", 2, lambda: problem.build("fem-implicit", 2, 1), problem.finish, 1)
+    assert run.values["peak_force"] == pytest.approx(77.3e3, rel=2e-3)
+    assert run.values["neck_radius_at_6_mm"] < run.values["neck_radius_at_5_mm"] < 4.7e-3
+    assert run.steps < run.linear_solves and run.point_updates >= run.points * run.linear_solves
+
+
+def test_the_two_methods_are_compared_once_by_their_first_variants():
+    """Of three variants each, those that stand first."""
+    names = ("fem-implicit", "fem-explicit", "mpm-implicit", "mpm")
+    runs = [run for name in names for run in sequence(name)]
+    problem = replace(find_problem("necking-simo"), references={"u": EXACT}, units={"u": "m"})
+    (sentence,) = verdict_section(problem, runs).remarks
+    assert "fem-implicit" in sentence and "mpm-implicit" in sentence and "agree" in sentence
