@@ -37,6 +37,7 @@ from mpm.musl import MUSL, USL, Remap, check_update
 from mpm.particles import GAUSS, rim_faces
 from mpm.readout import Readout
 from mpm.reference_contact import ReferenceContact
+from mpm.small_masses import warn_of_small_masses
 from mpm.stepping import Stepping
 from mpm.stress_power import StressPower
 from mpm.supports import Supports
@@ -98,6 +99,7 @@ class Solver(RestartableSteps, Stepping, Books, Readout, Body):
         check_body(material, temperature, viscosity)
         check_interpolation(interpolation)
         check_update(update)
+        warn_of_small_masses(interpolation, transfer, update)
         cured = find_cure(cure)
         frame = find_configuration(configuration, interpolation, conduction)
         self._transfer = make_transfer(transfer, flip_fraction, xpic_order)

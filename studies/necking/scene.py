@@ -106,7 +106,7 @@ class Limits:
 
 @dataclass(frozen=True)
 class NewtonOrder:
-    """The median order of Newton's method in the corrections that qualify must be so high."""
+    """The order of Newton's method must be so high in all attempts that qualify."""
 
     run: str
     least: float
