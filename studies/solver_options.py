@@ -14,8 +14,8 @@ NUMBER: tuple[str, ...] = ()
 """In place of words: the option is a number."""
 
 SOLVER_OPTIONS: dict[str, dict[str, tuple[str, ...]]] = {
-    "fem-implicit": {**ELEMENTS, "tolerance": NUMBER},
-    "fem-explicit": {**ELEMENTS, "hourglass": NUMBER},
+    "fem-implicit": {**ELEMENTS, "own_share": NUMBER, "tolerance": NUMBER},
+    "fem-explicit": {**ELEMENTS, "own_share": NUMBER, "hourglass": NUMBER},
     "mpm-tl": {**PARTICLES, "cfl": NUMBER},
     "mpm-implicit": {
         "interpolation": ("linear", "quadratic", "cubic"),

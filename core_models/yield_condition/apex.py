@@ -1,6 +1,6 @@
 """Flow at the apex of a pressure-dependent surface, where only the mean stress is left beyond the back stress.
 
-With friction f = sigma_y / m there, and the growth g of the volume by plastic strain beyond which nothing flows on the
+With friction f = sigma_y / m there, and g the largest growth of the volume by plastic strain of associated flow on the
 rest of the surface:
 
     m(ln J_e - dv) = min(sigma_y(dp) / f, cut-off)
@@ -10,8 +10,8 @@ dp_s takes away the shear stress. The volume counts because it is what works the
 is that of associated flow beside the apex, which makes dp continuous from there, and the apex as viscous. At the
 cut-off alone volume does not count: it does not feel the flow stress.
 
-Source: de Souza Neto, Peric & Owen, Computational Methods for Plasticity (2008), eqs. (8.98) and (8.121), where the
-growth is that of the potential; that of the yield surface, here, is defined without dilation too.
+Source: de Souza Neto, Peric & Owen, Computational Methods for Plasticity (2008), sections 8.2 and 8.3, where
+the growth is that of the dilation; that of the friction, here, is defined without dilation too.
 """
 
 from typing import NamedTuple

@@ -23,8 +23,9 @@ class DruckerPrager(NamedTuple):
 
     Parameters
     ----------
-    alpha : friction [-], >= 0. beta : dilation [-], 0 <= beta <= alpha. cohesion_factor : k / sigma_y [-], > 0.
-    tension_cutoff : largest mean stress [Pa], > 0; infinite for none.
+    alpha : friction [-], >= 0, with a caution from 1 / sqrt(3) on, which is that of 90 degrees in compression. beta :
+    dilation [-], 0 <= beta <= alpha. cohesion_factor : k / sigma_y [-], > 0. tension_cutoff : largest mean stress [Pa],
+    > 0; infinite for none.
 
     Valid with every flow law; hardening and rate are those of the deviatoric plastic strain, at the apex also of the
     volume (core_models.yield_condition.apex).
@@ -70,6 +71,15 @@ class DruckerPrager(NamedTuple):
                 "energy: give beta <= alpha"
             )
         return ""
+
+    def caution(self) -> str:
+        """What a user of these numbers should know; empty if nothing."""
+        if self.alpha < OVER_ROOT_3:
+            return ""
+        return (
+            f"with alpha = {self.alpha:g}, not below 1 / sqrt(3) = 0.577, pressure in one direction never "
+            "makes it yield: no friction angle is matched in compression"
+        )
 
 
 def _matched(angle: float, fit: str) -> tuple[float, float]:

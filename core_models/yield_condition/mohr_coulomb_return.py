@@ -8,9 +8,11 @@ import math
 
 from core_models.compilation import beside_kernel, inside_kernel
 from core_models.principal_axes import from_principal, principal
+from core_models.status import OK
 from core_models.updates.general_problem import (
     NO_STRESS,
     Returned,
+    allowance,
     mean_stress,
     return_stress,
     status_of,
@@ -29,6 +31,8 @@ from core_models.yield_condition.mohr_coulomb_planes import (
     shifted_values,
 )
 
+SLACK = 10.0  # of the allowance of a return: how far off order and surface may be
+
 
 @return_stress.register(MohrCoulomb)
 def _(yield_condition, model, flow, problem, rows, k):
@@ -37,6 +41,11 @@ def _(yield_condition, model, flow, problem, rows, k):
     cohesion = strength(flow, problem, 0.0).stress
     if _largest_excess(yield_condition, shifted_values(values, stress), cohesion) <= 0.0:
         return unchanged(problem, stress, bulk)
+    # A shear stress that round-off hides has no direction to flow in.
+    if values[0] - values[2] <= SLACK * allowance(problem, cohesion, bulk):
+        returned = _apex(yield_condition, model, flow, problem, values)
+        if returned.status == OK:
+            return returned
     return _search(yield_condition, model, flow, problem, values, axes)
 
 
@@ -55,7 +64,7 @@ def _search(law, model, flow, problem, values, axes):
             break
         converged, gammas, now, increment, limit = flow_on(law, model, flow, problem, values, planes)
         cohesion = strength(flow, problem, increment)
-        if converged and _is_admissible(law, problem, gammas, now.stress, cohesion.stress, 10.0 * limit):
+        if converged and _is_admissible(law, problem, gammas, now.stress, cohesion.stress, SLACK * limit):
             m = now.mean_stress
             deviator = from_principal(shifted_values(now.stress, -m), axes)
             return Returned(

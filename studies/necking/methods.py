@@ -60,7 +60,7 @@ def scene_of(scene: NeckingScene, plan: PlannedRun) -> NeckingScene:
                 f"{scene.name}: {plan.name} deletes failed points, but its material has no <erosion>: add it, "
                 "or leave out erosion"
             )
-        material = replace(material, erosion=DeletePoint())
+        material = replace(material, erosion=DeletePoint(material.erosion.decay_time))
     own = {name: getattr(plan, name) for name in OWN if getattr(plan, name) is not None}
     return replace(scene, material=material, **own)
 

@@ -44,13 +44,6 @@ def scene_problem(scene: Scene, wall: str) -> WorkProblem:
     def build(variant: str, resolution: int, threads: int) -> Any:
         return build_solver(scene, variant, resolution, wall, threads)
 
-    def finish(solver: Any) -> dict[str, float]:
-        end = scene.end.limit(wall)
-        while solver.time < end:
-            solver.advance(end)
-        outline = bar_outline(solver)
-        return {"final_length": length(outline), "foot_radius": foot_radius(outline)}
-
     return WorkProblem(
         f"{scene.name}-{wall}",
         f"{scene.name}, wall {wall}, {scene.end.limit(wall) * 1e6:g} µs",
@@ -58,9 +51,17 @@ def scene_problem(scene: Scene, wall: str) -> WorkProblem:
         RESOLUTIONS,
         VARIANTS,
         build,
-        finish,
+        lambda solver: finish_bar(solver, scene.end.limit(wall)),
         dict.fromkeys(QUANTITIES, "m"),
     )
+
+
+def finish_bar(solver: Any, end: float) -> dict[str, float]:
+    """Step a bar to a time [s]; its length and foot radius [m]."""
+    while solver.time < end:
+        solver.advance(end)
+    outline = bar_outline(solver)
+    return {"final_length": length(outline), "foot_radius": foot_radius(outline)}
 
 
 def with_fixed_end(scene: Scene) -> Scene:

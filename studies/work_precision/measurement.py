@@ -9,6 +9,7 @@ from typing import Any
 from core_models.equilibrium.stepping import QuasiStatic
 from core_models.errors import MatpointError
 from studies.costs import measured
+from studies.held_memory import held_bytes
 
 WARM_STEPS = 3
 ENOUGH = 10.0  # s of measurements, after which a run is not repeated any more
@@ -20,7 +21,8 @@ class Measurement:
 
     values : answers by quantity [SI]. seconds : processor time of the steps, median of the repeats; spread : of these,
     largest over smallest; repeats : how many. wall_s : the same by the clock. compile_s : compilation, which is part of
-    neither. linear_solves : of implicit runs. memory_bytes : largest of the process. message : why there are no values.
+    neither. linear_solves : of implicit runs. array_bytes : held by the solver; memory_bytes : largest of the
+    process, with what it has compiled. message : why there are no values.
     """
 
     variant: str
@@ -38,6 +40,7 @@ class Measurement:
     wall_s: float = 0.0
     repeats: int = 1
     linear_solves: int = 0
+    array_bytes: int = 0
 
     def as_json(self) -> dict[str, Any]:
         """Plain data."""
@@ -88,6 +91,7 @@ def measure_run(
         wall_s=median(walls),
         repeats=len(seconds),
         linear_solves=_linear_solves(solver),
+        array_bytes=held_bytes(solver),
     )
 
 
