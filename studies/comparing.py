@@ -3,6 +3,7 @@
 import shutil
 from dataclasses import asdict
 from pathlib import Path
+from typing import Any
 
 from core_models.compilation import source_hash
 from core_models.errors import DiskFull, UnsupportedError
@@ -13,6 +14,7 @@ from studies.comparison import Comparison, conclude
 from studies.kept_run import keep_run, kept_run
 from studies.methods import planned_runs
 from studies.output_folder import OutputFolder, ResumedFolder
+from studies.remaining import Remaining
 from studies.report.comparison_report import report_of
 from studies.report.study_page import write_report
 from studies.run_record import run_entry, to_json
@@ -45,14 +47,15 @@ def compare(
     """
     wall = check_wall(wall or scene.wall)
     plan = planned_runs(scene, methods, resolutions)
+    options = {"threads": threads, "progress": progress, "remaining": Remaining(plan)}
     if out is None:
-        return conclude(scene, wall, [_one(scene, *job, wall, threads, None, progress) for job in plan])
+        return conclude(scene, wall, [_one(scene, *job, wall, None, options) for job in plan])
     settings = {
         "study": "comparison", "scene": scene.name, "wall": wall, "runs": plan, "threads": threads,
         "sources": source_hash(),
     }  # fmt: skip
     with study_folder(out, settings, going_on) as folder:
-        runs = [_one(scene, *job, wall, threads, folder, progress) for job in plan]
+        runs = [_one(scene, *job, wall, folder, options) for job in plan]
         comparison = conclude(scene, wall, runs)
         folder.write_text("results.json", to_json(results(comparison)))
         _maps(comparison, folder)
@@ -102,25 +105,43 @@ def _one(
     method: str,
     resolution: int,
     wall: str,
-    threads: int,
     folder: OutputFolder | None,
-    progress: bool,
+    options: dict[str, Any],
 ) -> RunResult:
-    options = {"wall": wall, "threads": threads, "progress": progress}
+    """A run, as it was kept or made now; options : threads, progress and remaining of `simulate`."""
+    kept = None
+    if folder is not None:
+        kept = kept_run(
+            _place(folder, method, resolution), scene, method, resolution, wall, options["threads"]
+        )
+    result = kept or _made(scene, method, resolution, wall, folder, options)
+    options["remaining"].end(made=kept is None)
+    return result
+
+
+def _place(folder: OutputFolder, method: str, resolution: int) -> Path:
+    return folder.path / f"{method.replace(':', '-')}-{resolution}"
+
+
+def _made(
+    scene: Scene,
+    method: str,
+    resolution: int,
+    wall: str,
+    folder: OutputFolder | None,
+    options: dict[str, Any],
+) -> RunResult:
     if folder is None:
-        return simulate(scene, method, resolution, **options)
-    name = f"{method.replace(':', '-')}-{resolution}"
-    before = folder.path / name
-    done = kept_run(before, scene, method, resolution, wall, threads)
-    if done is not None:
-        return done
-    if (before / CHECKPOINT).exists():
-        with ResumedFolder(before) as own:
-            return _kept(go_on(own, progress=progress), own)
-    if before.exists():
-        shutil.rmtree(before)
-    with folder.subfolder(name) as own:
-        return _kept(simulate(scene, method, resolution, folder=own, **options), own)
+        return simulate(scene, method, resolution, wall=wall, **options)
+    place = _place(folder, method, resolution)
+    if (place / CHECKPOINT).exists():
+        with ResumedFolder(place) as own:
+            going_on = {name: options[name] for name in ("progress", "remaining")}
+            return _kept(go_on(own, **going_on), own)
+    if place.exists():
+        shutil.rmtree(place)
+    with folder.subfolder(place.name) as own:
+        return _kept(simulate(scene, method, resolution, wall=wall, folder=own, **options), own)
 
 
 def _kept(result: RunResult, folder: OutputFolder) -> RunResult:

@@ -1,4 +1,4 @@
-"""Observer: a progress bar with the time left, when the output is a terminal."""
+"""Observer: a progress bar with the time left of a run and of all, when the output is a terminal."""
 
 import os
 import sys
@@ -7,22 +7,26 @@ from typing import TextIO
 
 from studies.ending import Ending
 from studies.observer import Observer
+from studies.remaining import Remaining
 
-WIDTH = 30
+WIDTH = 20
 REFRESH = 0.2  # s
 
 
 class Progress(Observer):
-    """One line on stderr, rewritten a few times a second and wiped at the end."""
+    """One line on stderr, rewritten a few times a second and wiped at the end; of several runs, with what all take."""
 
-    def __init__(self, label: str, ending: Ending, stream: TextIO | None = None) -> None:
-        self._label, self._ending = label, ending
+    def __init__(
+        self, label: str, ending: Ending, remaining: Remaining, stream: TextIO | None = None
+    ) -> None:
+        self._label = label if remaining.is_one else f"{remaining.place} {label}"
+        self._ending, self._remaining = ending, remaining
         self._stream = stream or sys.stderr
         self._shown = 0.0
 
     def start(self, solver) -> None:
         """Start the clock and show that compilation may be under way."""
-        self._began = time.monotonic()
+        self._remaining.begin()
         self._show(f"{self._label}  starting; the first run of a kind compiles for some seconds ...")
 
     def resume(self, solver, checkpoint) -> None:
@@ -36,11 +40,11 @@ class Progress(Observer):
             return
         self._shown = now
         share = min(solver.time / self._ending.expected(solver), 1.0)
-        left = (now - self._began) * (1.0 - share) / share
-        bar = "#" * int(WIDTH * share)
-        self._show(
-            f"{self._label}  [{bar:<{WIDTH}}] {share:4.0%}  {solver.time * 1e6:7.2f} µs  {clock(left)} left"
-        )
+        own, whole = self._remaining.left(share)
+        said = f"{solver.time * 1e6:7.2f} µs  {clock(own)} left"
+        if not self._remaining.is_one:
+            said = f"{clock(own)} left, all {clock(whole)}"
+        self._show(f"{self._label}  [{'#' * int(WIDTH * share):<{WIDTH}}] {share:4.0%}  {said}")
 
     def finish(self, solver) -> None:
         """Wipe the line."""

@@ -9,7 +9,7 @@ import numpy as np
 from core_models.compilation import source_hash
 from core_models.errors import DiskFull, OutputError, RunFailure, UnsupportedError
 from core_models.walls import check_wall
-from studies.bar_outline import bar_outline, bar_section
+from studies.bar.outline import bar_outline, bar_section
 from studies.checkpointing.checkpoint_file import Saved, Settings, Spent
 from studies.checkpointing.checkpoints import Checkpoints
 from studies.checkpointing.interval import USUAL, Interval, interval_text
@@ -25,6 +25,7 @@ from studies.observer import Observer
 from studies.output_folder import OutputFolder
 from studies.process import check_interrupted
 from studies.progress import Progress
+from studies.remaining import Remaining
 from studies.run_record import run_record, to_json
 from studies.run_result import FinalState, RunResult
 from studies.scene import Scene
@@ -74,13 +75,15 @@ def simulate(
     threads: int = 1,
     folder: OutputFolder | None = None,
     progress: bool = False,
+    remaining: Remaining | None = None,
     interval: Interval | None = None,
     saved: Saved | None = None,
     within: float | None = None,
 ) -> RunResult:
     """Like `run`, into a folder that is already ours; a run that goes wrong is recorded, not raised.
 
-    saved: the checkpoint to go on from (default: from the start); within: seconds after which the run has failed.
+    remaining: of the plan that this is a run of; saved: the checkpoint to go on from (default: from the start);
+    within: seconds after which the run has failed.
     """
     wall = check_wall(wall or scene.wall)
     with measured() as cost:
@@ -95,7 +98,8 @@ def simulate(
         if within is not None:
             observers.append(Deadline(within))
         if progress:
-            observers.append(Progress(f"{method} {resolution}", ending))
+            plan = remaining or Remaining([(method, resolution)])
+            observers.append(Progress(f"{method} {resolution}", ending, plan))
         if folder is not None:
             observers += [SceneCopy(scene, wall, folder), Frames(folder, scene.end.limit(wall))]
         observers.append(history)

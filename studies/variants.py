@@ -9,6 +9,7 @@ from typing import Any
 
 from core_models.errors import SceneError
 from core_models.names import suggestion
+from studies.solver_options import ELEMENTS, PARTICLES
 
 PLANAR_KINDS = ("quad4", "quad8", "quad9", "tri3", "tri6")
 SPATIAL_KINDS = ("hex8", "hex20", "hex27", "tet4", "tet10")
@@ -16,19 +17,12 @@ SPATIAL = "spatial"
 KIND = "kind"
 
 WORDS: dict[str, dict[str, tuple[str, ...]]] = {
-    "fem-explicit": {
-        KIND: (*PLANAR_KINDS, *SPATIAL_KINDS),
-        "integration": ("full", "reduced"),
-        "cure": ("none", "mean-dilatation", "linear-dilatation", "nodal-average"),
-    },
+    "fem-explicit": {KIND: (*PLANAR_KINDS, *SPATIAL_KINDS), **ELEMENTS},
     "mpm": {
         KIND: ("quad4", "hex8"),
-        "interpolation": ("linear", "gimp", "cpdi", "quadratic", "cubic"),
-        "transfer": ("apic", "flip", "pic", "xpic"),
+        **PARTICLES,
         "update": ("usl", "musl"),
         "configuration": ("updated", "total"),
-        "cure": ("none", "mean-dilatation"),
-        "seeding": ("gauss", "lattice"),
     },
 }
 """Words of each solver by option."""
@@ -57,13 +51,14 @@ class Variant:
         return 2 if self.solver == "mpm" and self.is_spatial else 1
 
 
-def read_variant(name: str) -> Variant:
-    """The variant of that name; SceneError for an unknown solver or word, with the nearest one."""
+def read_variant(name: str, known: dict[str, dict[str, tuple[str, ...]]] = WORDS) -> Variant:
+    """The variant of that name among the known ones; SceneError for an unknown solver or word, with the nearest."""
     solver, colon, words = name.partition(":")
-    if solver not in WORDS:
-        raise SceneError(f"unknown method '{solver}'; {suggestion(solver, WORDS)}")
-    option_of = {word: option for option, known in WORDS[solver].items() for word in known}
-    option_of[SPATIAL] = KIND
+    if solver not in known:
+        raise SceneError(f"unknown method '{solver}'; {suggestion(solver, known)}")
+    option_of = {word: option for option, values in known[solver].items() for word in values}
+    if "hex8" in option_of:
+        option_of[SPATIAL] = KIND
     given: dict[str, str] = {}
     for word in words.split("+") if colon else []:
         if word not in option_of:

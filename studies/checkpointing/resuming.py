@@ -7,6 +7,7 @@ from core_models.errors import OutputError
 from studies.checkpointing.checkpoint_file import FILE, read_checkpoint
 from studies.checkpointing.interval import Interval, read_interval
 from studies.output_folder import OutputFolder, ResumedFolder
+from studies.remaining import Remaining
 from studies.run_result import RunResult
 from studies.running import simulate
 from studies.scene_reader import read_scene
@@ -41,6 +42,7 @@ def go_on(
     threads: int | None = None,
     interval: Interval | None = None,
     progress: bool = False,
+    remaining: Remaining | None = None,
 ) -> RunResult:
     """Like `resume`, in a folder that is already ours; a run that goes wrong is recorded, not raised."""
     saved = read_checkpoint(folder.path)
@@ -54,6 +56,7 @@ def go_on(
         threads=threads or settings.threads,
         folder=folder,
         progress=progress,
+        remaining=remaining,
         interval=interval or read_interval(settings.interval),
         saved=saved,
     )

@@ -9,6 +9,7 @@ from studies.comparing import compare
 from studies.comparison import Comparison
 from studies.gallery.entry import Entry, Shown
 from studies.gallery.pictures import standalone
+from studies.gallery.study_entries import STUDY_ENTRIES
 from studies.scene_reader import read_scene
 
 MILLIMETRES = 1e3
@@ -52,8 +53,8 @@ def _measured() -> Shown:
 
 
 def _rate_jump() -> Shown:
-    from studies.drive_plot import write_plot
-    from studies.driving import asked_test, carry_out
+    from studies.drive.driving import asked_test, carry_out
+    from studies.drive.plot import write_plot
 
     nothing = dict.fromkeys(("cycles", "hold", "temperature", "update", "laws"))
     asked = Namespace(
@@ -166,4 +167,5 @@ ENTRIES = (
         "%",
         _cell_crossing,
     ),
+    *STUDY_ENTRIES,
 )

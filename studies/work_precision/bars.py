@@ -3,8 +3,8 @@
 from dataclasses import replace
 from typing import Any
 
-from studies.bar_outline import bar_outline
-from studies.bar_shape import foot_radius, length
+from studies.bar.outline import bar_outline
+from studies.bar.shape import foot_radius, length
 from studies.methods import build_solver
 from studies.scene import End, Scene
 from studies.scene_reader import read_scene
@@ -15,6 +15,7 @@ RESOLUTIONS = {
     "fem-explicit": (4, 6, 8, 12, 16),
     "fem-explicit:quad8": (2, 3, 4, 5, 6),  # whose steps are seven times smaller
     "mpm": (6, 8, 12, 16, 24),
+    "mpm:total": (4, 5, 6, 8, 10),  # whose steps follow the squashed particles of the foot, down to a tenth
 }
 VARIANTS = ("fem-explicit", "fem-explicit:reduced", "fem-explicit:quad8", "mpm", "mpm:cubic", "mpm:total")
 PUBLISHED = 0.0005  # relative uncertainty of a published value that is given to four digits
@@ -43,13 +44,6 @@ def scene_problem(scene: Scene, wall: str) -> WorkProblem:
     def build(variant: str, resolution: int, threads: int) -> Any:
         return build_solver(scene, variant, resolution, wall, threads)
 
-    def finish(solver: Any) -> dict[str, float]:
-        end = scene.end.limit(wall)
-        while solver.time < end:
-            solver.advance(end)
-        outline = bar_outline(solver)
-        return {"final_length": length(outline), "foot_radius": foot_radius(outline)}
-
     return WorkProblem(
         f"{scene.name}-{wall}",
         f"{scene.name}, wall {wall}, {scene.end.limit(wall) * 1e6:g} µs",
@@ -57,9 +51,17 @@ def scene_problem(scene: Scene, wall: str) -> WorkProblem:
         RESOLUTIONS,
         VARIANTS,
         build,
-        finish,
+        lambda solver: finish_bar(solver, scene.end.limit(wall)),
         dict.fromkeys(QUANTITIES, "m"),
     )
+
+
+def finish_bar(solver: Any, end: float) -> dict[str, float]:
+    """Step a bar to a time [s]; its length and foot radius [m]."""
+    while solver.time < end:
+        solver.advance(end)
+    outline = bar_outline(solver)
+    return {"final_length": length(outline), "foot_radius": foot_radius(outline)}
 
 
 def with_fixed_end(scene: Scene) -> Scene:

@@ -6,8 +6,10 @@ from dataclasses import asdict, dataclass, field
 from statistics import median
 from typing import Any
 
+from core_models.equilibrium.stepping import QuasiStatic
 from core_models.errors import MatpointError
 from studies.costs import measured
+from studies.held_memory import held_bytes
 
 WARM_STEPS = 3
 ENOUGH = 10.0  # s of measurements, after which a run is not repeated any more
@@ -19,7 +21,8 @@ class Measurement:
 
     values : answers by quantity [SI]. seconds : processor time of the steps, median of the repeats; spread : of these,
     largest over smallest; repeats : how many. wall_s : the same by the clock. compile_s : compilation, which is part of
-    neither. memory_bytes : largest of the process. message : why there are no values.
+    neither. linear_solves : of implicit runs. array_bytes : held by the solver; memory_bytes : largest of the
+    process, with what it has compiled. message : why there are no values.
     """
 
     variant: str
@@ -36,6 +39,8 @@ class Measurement:
     threads: int = 1
     wall_s: float = 0.0
     repeats: int = 1
+    linear_solves: int = 0
+    array_bytes: int = 0
 
     def as_json(self) -> dict[str, Any]:
         """Plain data."""
@@ -85,4 +90,12 @@ def measure_run(
         threads=threads,
         wall_s=median(walls),
         repeats=len(seconds),
+        linear_solves=_linear_solves(solver),
+        array_bytes=held_bytes(solver),
     )
+
+
+def _linear_solves(solver: Any) -> int:
+    if not isinstance(solver, QuasiStatic):
+        return 0
+    return sum(each.iterations for each in (*solver.log.increments, *solver.log.cuts))

@@ -4,6 +4,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from studies.variants import Variant, read_variant
+
 
 @dataclass(frozen=True)
 class Reference:
@@ -20,7 +22,7 @@ class WorkProblem:
 
     references : by quantity. resolutions : default ones by variant or else its method word, five or more.
     build : makes the solver of a variant at a resolution with a number of threads. finish : steps it to its end,
-    returns its answers. units : of the quantities.
+    returns its answers. units : of the quantities. read : reads a variant's name.
     """
 
     name: str
@@ -31,3 +33,4 @@ class WorkProblem:
     build: Callable[[str, int, int], Any]
     finish: Callable[[Any], dict[str, float]]
     units: dict[str, str]
+    read: Callable[[str], Variant] = read_variant

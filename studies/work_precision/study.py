@@ -12,15 +12,14 @@ from studies.report.study_page import Report, write_report
 from studies.run_record import to_json
 from studies.shipped_scenes import shipped_scenes
 from studies.study_folder import keep, kept, study_folder
-from studies.variants import read_variant
 from studies.versions import processor, versions
-from studies.work_precision import vibration, vortex
+from studies.work_precision import necking, vibration, vortex
 from studies.work_precision.bars import bar_problem
 from studies.work_precision.measurement import Measurement, measure_run
 from studies.work_precision.problem import WorkProblem
 from studies.work_precision.tables import report_of
 
-EXACT = {"vibrating-bar": vibration.PROBLEM, "vortex": vortex.PROBLEM}
+PROBLEMS = {"vibrating-bar": vibration.PROBLEM, "vortex": vortex.PROBLEM, "necking-simo": necking.PROBLEM}
 FEWEST = 5
 REPEATS = 3
 
@@ -35,16 +34,16 @@ class Outcome:
 
 
 def find_problem(name: str, wall: str | None = None) -> WorkProblem:
-    """The problem of a name: one with an exact answer, or a scene, shipped or in a file, under a wall.
+    """The problem of a name: one of PROBLEMS, or an impact scene, shipped or in a file, under a wall.
 
     Raises SceneError naming the nearest one; CardError for a scene's file that cannot be read.
     """
-    if name in EXACT:
+    if name in PROBLEMS:
         if wall is not None:
             raise SceneError(f"{name} has no wall: leave --wall out")
-        return EXACT[name]
+        return PROBLEMS[name]
     if name not in shipped_scenes() and Path(name).suffix != ".xml":
-        known = [*EXACT, *shipped_scenes()]
+        known = [*PROBLEMS, *shipped_scenes()]
         raise SceneError(f"no problem or scene is called {name!r}; {suggestion(name, known)}")
     return bar_problem(name, wall)
 
@@ -66,7 +65,7 @@ def planned(
 
 
 def _resolutions(problem: WorkProblem, variant: str) -> tuple[int, ...]:
-    method = read_variant(variant).solver
+    method = problem.read(variant).solver
     return problem.resolutions.get(variant, problem.resolutions[method])
 
 

@@ -2,8 +2,7 @@
 
 from studies.convergence import Estimate, extrapolate
 from studies.differences import verdict_text
-from studies.display import SHOWN_UNITS
-from studies.methods import find_method
+from studies.display import plus_minus, shown_unit
 from studies.report.study_page import Section
 from studies.verification.outcome import Table
 from studies.work_precision.analysis import by_variant
@@ -21,8 +20,7 @@ def verdict_section(problem: WorkProblem, runs: list[Measurement]) -> Section:
         tables.append(_table(name, unit, limits))
         pair = _one_of_each_method(tuple(limits))
         if len(pair) == 2:
-            labels = tuple(find_method(variant).label for variant in pair)
-            sentences.append(verdict_text(name, unit, labels, tuple(limits[variant] for variant in pair)))
+            sentences.append(verdict_text(name, unit, pair, tuple(limits[variant] for variant in pair)))
     return Section("verdict", "Do the methods agree?", tuple(tables), remarks=tuple(sentences))
 
 
@@ -35,22 +33,20 @@ def limits_of(runs: list[Measurement], quantity: str) -> dict[str, Estimate]:
 
 
 def _one_of_each_method(variants: tuple[str, ...]) -> tuple[str, ...]:
-    first = {variant.partition(":")[0]: variant for variant in reversed(variants)}
+    first = {variant.startswith("fem"): variant for variant in reversed(variants)}
     return tuple(variant for variant in variants if variant in first.values())
 
 
 def _table(name: str, unit: str, limits: dict[str, Estimate]) -> Table:
-    scale, shown = SHOWN_UNITS[unit]
     rows = tuple(
         (
             variant,
-            scale * limit.value,
-            None if limit.uncertainty is None else scale * limit.uncertainty,
+            plus_minus(limit.value, limit.uncertainty, unit),
             limit.order,
             limit.basis,
         )
         for variant, limit in limits.items()
     )
-    head = ("variant", f"limit [{shown}]", f"± [{shown}]", "order", "how")
+    head = ("variant", f"limit [{shown_unit(unit)}]", "order", "how")
     note = "f(h) = f0 + a h^p by least squares over all resolutions, after Eça and Hoekstra (2014)."
     return Table(f"{name.replace('_', ' ')} as cells become small", head, rows, note)

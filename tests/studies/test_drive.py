@@ -20,9 +20,9 @@ from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from studies.command_line import main
 from studies.commands.drive import add_options
-from studies.drive_segments import read_segment
-from studies.drive_text import remarks
-from studies.driving import DriveResult, asked_test
+from studies.drive.driving import DriveResult, asked_test
+from studies.drive.segments import read_segment
+from studies.drive.text import remarks
 from studies.material_finder import find_material, with_update
 from studies.options import Parser
 from studies.scene_reader import read_scene

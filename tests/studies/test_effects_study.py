@@ -10,8 +10,11 @@ from studies.command_line import main
 from studies.effects_study import study
 from studies.effects_study.decision_text import decisions_text
 from studies.effects_study.decisions import decisions, disagreements
-from studies.effects_study.study import AS_IT_IS, Switched, compare_effects, planned, verdict_table
+from studies.effects_study.off import OffCost, all_off, never_had
+from studies.effects_study.study import compare_effects, planned
+from studies.effects_study.switched import AS_IT_IS, Switched
 from studies.effects_study.switches import SWITCHES
+from studies.effects_study.tables import verdict_table
 from studies.plan_text import plan_text
 from studies.run_record import to_json
 from studies.scene_reader import read_scene
@@ -98,8 +101,11 @@ def test_a_wrong_decision_is_said_to_be_wrong(copper):
     """Heating was asked for but changes nothing; conduction was not and changes much."""
     runs = [switched(AS_IT_IS, 1.0), switched("plastic heating", 1.0001), switched("heat conduction", 0.9)]
     rows = {row[0]: row[1:] for row in verdict_table(runs, decisions(copper, "unilateral")).rows}
-    assert rows["plastic heating"][2:] == ("no", "no")
-    assert rows["heat conduction"][0] == "no" and rows["heat conduction"][2:] == ("yes", "no")
+    assert rows["plastic heating"][2:] == ("no", "cautious: kept for nothing")
+    assert rows["heat conduction"][0] == "no" and rows["heat conduction"][2:] == (
+        "yes",
+        "wrong: it is missing",
+    )
 
 
 def test_the_study_leaves_tables_and_goes_on_after_a_refusal(copper, tmp_path, monkeypatch):
@@ -108,13 +114,18 @@ def test_the_study_leaves_tables_and_goes_on_after_a_refusal(copper, tmp_path, m
     def measure(scene, variant, resolution, wall, repeats):
         if scene.conduction:
             return Measurement(variant, resolution, message=str(UnsupportedError("no conduction here")))
-        return Measurement(variant, resolution, {"final_length": 0.02, "foot_radius": 0.005}, 2.0)
+        return Measurement(variant, resolution, {"final_length": 0.02, "foot_radius": 0.005}, 2.0, steps=9)
+
+    def off(scene, method, resolution, wall):
+        return OffCost(method, (1.0, 1.0, 1.3), (1.0, 0.9, 1.1), True)
 
     monkeypatch.setattr(study, "_measure", measure)
+    monkeypatch.setattr(study, "cost_of_off", off)
     outcome = compare_effects(copper, tmp_path / "out", methods=("mpm",), resolution=4)
     assert len(outcome.runs) == 2 + len(SWITCHES)
     assert "mpm: damage off,2.0,1.0" in (tmp_path / "out/changes.csv").read_text()
     assert "no conduction here" in (tmp_path / "out/failures.csv").read_text()
+    assert "mpm,1.0,0.9," in (tmp_path / "out/off.csv").read_text()
     assert json.loads((tmp_path / "out/results.json").read_text())["study"] == "effects"
 
 
@@ -123,3 +134,15 @@ def test_unknown_methods_are_refused_before_anything_runs(tmp_path, capsys):
     arguments = ["study", "effects", "taylor-classic", "--methods", "mpn", "--out", str(tmp_path / "out")]
     assert main(arguments) == 2
     assert "mpm" in capsys.readouterr().err and not (tmp_path / "out").exists()
+
+
+def test_effects_that_are_off_leave_no_trace(copper):
+    """With all off no law of an effect is left to be compiled in, though the card keeps its numbers."""
+    off, never = all_off(copper), never_had(copper)
+    assert off.material.thermal_conductivity and off.material.specific_heat
+    assert never.material.thermal_conductivity is None and never.material.specific_heat is None
+    slots = ("damage", "erosion", "heating", "damage_radius")
+    assert all(getattr(each.material, slot) is None for each in (off, never) for slot in slots)
+    assert not (off.conduction or off.viscosity or off.friction)
+    cost = OffCost("mpm", (1.2, 1.1, 1.0), (1.0, 1.5, 1.1, 1.4), True)
+    assert cost.ratio == 1.0 and cost.noise == pytest.approx(0.1)

@@ -3,12 +3,13 @@
 examples:
   matpoint study work-precision taylor-classic --wall plane
   matpoint study work-precision vibrating-bar --methods fem-explicit,mpm,mpm:total
+  matpoint study work-precision necking-simo --methods fem-implicit,mpm-implicit
   matpoint study work-precision my_scene.xml --resolutions 4,6,8,12,16 --repeats 5
 
-SCENE is vibrating-bar or vortex, which have exact answers, a shipped scene, or a scene's file. Every variant is run at
-five or more resolutions on one thread, one run at a time, compiled beforehand, and its finest once more on all threads.
-What a scene gives no published value for is held against the joint extrapolation of all runs. --resume goes on with the
-same study where it was stopped.
+SCENE is vibrating-bar or vortex, which have exact answers, necking-simo, a shipped scene of impact, or a scene's file.
+Every variant is run at five or more resolutions on one thread, one run at a time, compiled beforehand, and its finest
+once more on all threads. What a scene gives no published value for is held against the joint extrapolation of all runs.
+--resume goes on with the same study where it was stopped.
 Exit status: 0; 2 bad input; 3 when no run came to an end.
 """
 
@@ -25,7 +26,7 @@ NOTHING = 3
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Options of `matpoint study work-precision`."""
     parser.add_argument(
-        "scene", metavar="SCENE", help="vibrating-bar, vortex, a shipped scene or an XML file"
+        "scene", metavar="SCENE", help="vibrating-bar, vortex, necking-simo, a shipped scene or an XML file"
     )
     parser.add_argument("--methods", metavar="A[,B...]", type=names, help="variants (default: the problem's)")
     parser.add_argument(
@@ -75,6 +76,8 @@ def _texts(outcome) -> Iterator[str]:
     from studies.report.study_text import table_text
 
     for section in outcome.report.sections:
+        if section.name == "choice":
+            yield "\n".join([section.title, *(each.text for each in section.verdicts)])
         if section.name.startswith("reach-"):
             yield f"{section.title}\n{table_text(section.tables[0])}"
         if section.name == "verdict":

@@ -7,8 +7,8 @@ import numpy as np
 from core_models.driver import History
 from core_models.laws import flow_stress, melting_temperature, under_pressure
 from core_models.loading import STRESS_COLUMN
-from studies.drive_columns import SYMMETRIC
-from studies.driving import DriveResult, MaterialTest
+from studies.drive.columns import SYMMETRIC
+from studies.drive.driving import DriveResult, MaterialTest
 from studies.text_table import aligned
 
 ROWS = 10
