@@ -11,9 +11,9 @@ SERIES, CARD = "cu-wilkins", "copper_ofhc_johnson_cook"
 
 
 def _necking() -> Shown:
+    from studies.necking.methods import make_run
     from studies.necking.pictures import final_shapes
     from studies.necking.reader import read_necking_scene
-    from studies.necking_methods import make_run
 
     scene = read_necking_scene("necking-simo")
     asked = ("quad8:5", "fem-implicit:none")
