@@ -37,6 +37,11 @@ from meshes.axisymmetric import axisymmetric
 from meshes.mesh import Mesh, check_mesh
 from meshes.single_body import refuse_several_bodies
 
+SQUEEZED = (
+    "check velocity and material, try another resolution or other elements (quad4 and hex8 with full integration bear "
+    "most, quadratic ones more without a cure), or material points"
+)
+
 
 class ExplicitSolver(RestartableSteps, Readout):
     """Explicit dynamics of a body.
@@ -157,6 +162,7 @@ class ExplicitSolver(RestartableSteps, Readout):
             VANISHING_STEP * self._first_step,
             lambda: self.points.place(self.step_count + 1, self.time, int(self.point_volumes().argmin())),
             lambda reason: self.points.failure(reason, self.step_count + 1, self.time),
+            SQUEEZED,
         )
         self.time = limit if taken == limit - self.time else self.time + taken
         self.step_count += 1

@@ -9,6 +9,7 @@ from studies.comparing import compare
 from studies.comparison import Comparison
 from studies.gallery.entry import Entry, Shown
 from studies.gallery.pictures import standalone
+from studies.gallery.study_entries import STUDY_ENTRIES
 from studies.scene_reader import read_scene
 
 MILLIMETRES = 1e3
@@ -166,4 +167,5 @@ ENTRIES = (
         "%",
         _cell_crossing,
     ),
+    *STUDY_ENTRIES,
 )

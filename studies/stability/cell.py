@@ -53,6 +53,7 @@ def run_cell(case: Case, variant: str, quick: bool) -> Cell:
     level = logger.level
     logger.addHandler(redone)
     logger.setLevel(logging.INFO)
+    solver = None
     try:
         solver = case.build(variant)
         _advance(case, solver, cell, case.steps // QUICKLY if quick else case.steps)
@@ -64,6 +65,8 @@ def run_cell(case: Case, variant: str, quick: bool) -> Cell:
     finally:
         logger.removeHandler(redone)
         logger.setLevel(level)
+    if solver is not None and cell.verdict == REFUSED:
+        _look(solver, cell)
     cell.redone, cell.seconds = redone.count, time.process_time() - start
     if cell.verdict == STABLE and not cell.drift <= case.drift:
         cell.verdict, cell.why = FAILED, f"the energy is off by {100.0 * cell.drift:.3g} %"

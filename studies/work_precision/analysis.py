@@ -47,12 +47,12 @@ def joint_reference(runs: list[Measurement], quantity: str) -> Reference:
 
 
 def by_variant(runs: list[Measurement]) -> dict[str, list[Measurement]]:
-    """Runs that have answers by variant, coarse to fine."""
+    """Runs that have answers by variant, in the order of the first of each; of a variant coarse to fine."""
     groups: dict[str, list[Measurement]] = {}
-    for run in sorted(runs, key=lambda run: run.resolution):
+    for run in runs:
         if run.values:
             groups.setdefault(run.variant, []).append(run)
-    return groups
+    return {name: sorted(group, key=lambda run: run.resolution) for name, group in groups.items()}
 
 
 def relative_error(run: Measurement, quantity: str, reference: Reference) -> float:
@@ -66,6 +66,14 @@ def order_of(resolutions: list[int], errors: list[float]) -> float | None:
     if len(errors) < 3 or min(errors) <= 0.0:
         return None
     return float(-np.polyfit(np.log(resolutions), np.log(errors), 1)[0])
+
+
+def observed_order(group: list[Measurement], quantity: str, reference: Reference) -> float | None:
+    """Order of a variant's errors; None where there are too few runs, or no reference."""
+    if reference.value is None:
+        return None
+    errors = [relative_error(run, quantity, reference) for run in group]
+    return order_of([run.resolution for run in group], errors)
 
 
 def reach(group: list[Measurement], quantity: str, reference: Reference, level: float) -> Reach:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 
+from studies.display import number, plus_minus, shown, shown_unit
 from studies.report.study_page import Report, Section
 from studies.verification.outcome import Curve, Plot, Table
 from studies.work_precision.analysis import (
@@ -11,11 +12,12 @@ from studies.work_precision.analysis import (
     Reach,
     by_variant,
     joint_reference,
-    order_of,
+    observed_order,
     pareto_front,
     reach,
     relative_error,
 )
+from studies.work_precision.choice import MARKS, choice_section
 from studies.work_precision.measurement import Measurement
 from studies.work_precision.problem import Reference, WorkProblem
 from studies.work_precision.verdict import verdict_section
@@ -40,12 +42,18 @@ def report_of(problem: WorkProblem, measured: list[Measurement], repeats: int) -
     runs = [run for run in measured if run.threads == 1]
     references = references_of(problem, runs)
     failures = [run for run in measured if not run.values]
-    facts = (f"{len(runs)} runs", f"median of {repeats}", f"{len(failures)} without an answer")
-    sections = [
+    spent = sum(run.seconds * run.repeats for run in measured)
+    facts = (
+        f"{len(runs)} runs",
+        f"median of {repeats}",
+        f"{spent / 60.0:.2g} min of processor time",
+        f"{len(failures)} without an answer",
+    )
+    sections = [choice_section(runs, references)] + [
         Section(
             f"reach-{name}",
             f"Time to reach an error of the {_words(name)}",
-            (reach_table(runs, name, reference),),
+            (reach_table(runs, name, reference, problem.units[name]),),
         )
         for name, reference in references.items()
     ]
@@ -54,7 +62,7 @@ def report_of(problem: WorkProblem, measured: list[Measurement], repeats: int) -
         Section(
             f"errors-{name}",
             f"Error of the {_words(name)}",
-            (_errors_table(runs, name, reference),),
+            (_errors_table(runs, name, reference, problem.units[name]),),
             tuple(_plots(runs, name, reference)),
         )
         for name, reference in references.items()
@@ -67,8 +75,8 @@ def report_of(problem: WorkProblem, measured: list[Measurement], repeats: int) -
     return Report(f"Work and precision: {problem.title}", LEAD, facts, tuple(sections))
 
 
-def reach_table(runs: list[Measurement], quantity: str, reference: Reference) -> Table:
-    """Seconds to reach each level by variant; the fastest measured or interpolated one of a level is starred."""
+def reach_table(runs: list[Measurement], quantity: str, reference: Reference, unit: str = "1") -> Table:
+    """Seconds to reach each level by variant, and its observed order; the fastest known one of a level is starred."""
     groups = by_variant(runs)
     found = {
         name: [reach(group, quantity, reference, level) for level in LEVELS] for name, group in groups.items()
@@ -80,14 +88,18 @@ def reach_table(runs: list[Measurement], quantity: str, reference: Reference) ->
         min((time.seconds for time in times if time.seconds is not None), default=None) for times in known
     ]
     rows = [
-        (name, *(_reach_text(time, fastest[k]) for k, time in enumerate(times)))
+        (
+            name,
+            *(_reach_text(time, fastest[k]) for k, time in enumerate(times)),
+            observed_order(groups[name], quantity, reference),
+        )
         for name, times in found.items()
     ]
-    head = ("variant", *(f"{PERCENT * level:g} % [s]" for level in LEVELS))
+    head = ("variant", *(f"{PERCENT * level:g} % [s]" for level in LEVELS), "order")
     note = (
-        f"Reference: {_reference_text(reference)}. Interpolated between runs; ≤: the coarsest run has it already; "
+        f"Reference: {_reference_text(reference, unit)}. Interpolated between runs; ≤: the coarsest run has it; "
         f"~: extrapolated; not resolvable: below {RESOLVABLE:g} times the reference's uncertainty; "
-        "*: the fastest that is not extrapolated."
+        "*: the fastest that is not extrapolated; order: of the error, observed."
     )
     return Table("Processor seconds", head, tuple(rows), note)
 
@@ -95,34 +107,30 @@ def reach_table(runs: list[Measurement], quantity: str, reference: Reference) ->
 def _reach_text(time: Reach, fastest: float | None) -> str:
     if time.seconds is None:
         return time.how
-    mark = {"measured": "≤ ", "extrapolated": "~ "}.get(time.how, "")
+    mark = MARKS.get(time.how, "")
     star = " *" if time.how != EXTRAPOLATED and time.seconds == fastest else ""
-    return f"{mark}{time.seconds:.2g}{star}"
+    return f"{mark}{number(time.seconds, 2)}{star}"
 
 
-def _reference_text(reference: Reference) -> str:
-    if reference.value is None:
+def _reference_text(reference: Reference, unit: str) -> str:
+    if not reference.value:
         return reference.source
-    if reference.value == 0.0:
-        return reference.source
-    return f"{reference.value:.6g} ± {reference.uncertainty:.1g}, {reference.source}"
+    value = plus_minus(reference.value, reference.uncertainty, unit)
+    return f"{value} {shown_unit(unit)}, {reference.source}"
 
 
-def _errors_table(runs: list[Measurement], quantity: str, reference: Reference) -> Table:
+def _errors_table(runs: list[Measurement], quantity: str, reference: Reference, unit: str) -> Table:
     if reference.value is None:
         return Table("Errors", ("variant",), ())
     front = set(map(id, pareto_front(runs, quantity, reference)))
     rows = []
     for name, group in by_variant(runs).items():
-        errors = [relative_error(run, quantity, reference) for run in group]
-        order = order_of([run.resolution for run in group], errors)
-        for run, error in zip(group, errors, strict=True):
+        for run in group:
+            value, error = shown(run.values[quantity], unit, 6), relative_error(run, quantity, reference)
             best = "yes" if id(run) in front else ""
-            rows.append(
-                (f"{name} {run.resolution}", run.values[quantity], PERCENT * error, run.seconds, order, best)
-            )
-    head = ("run", "value [SI]", "error [%]", "s", "observed order", "on the Pareto front")
-    return Table("Errors", head, tuple(rows), f"Reference: {_reference_text(reference)}.")
+            rows.append((f"{name} {run.resolution}", value, PERCENT * error, run.seconds, best))
+    head = ("run", f"value [{shown_unit(unit) or '-'}]", "error [%]", "s", "on the Pareto front")
+    return Table("Errors", head, tuple(rows), f"Reference: {_reference_text(reference, unit)}.")
 
 
 def _plots(runs: list[Measurement], quantity: str, reference: Reference) -> Iterable[Plot]:
@@ -148,15 +156,16 @@ def _runs_table(runs: list[Measurement], quantities: tuple[str, ...]) -> Table:
         (
             f"{run.variant} {run.resolution}", run.points, run.steps, run.point_updates,
             *((run.linear_solves,) if solved else ()), run.seconds, run.repeats, run.spread, run.compile_s,
-            round(run.memory_bytes / 2**20), *(run.values[name] for name in quantities),
+            run.array_bytes / 2**20, round(run.memory_bytes / 2**20), *(run.values[name] for name in quantities),
         )
         for run in runs if run.values
     ]  # fmt: skip
     head = (
         "run", "points", "steps", "point updates", *(("linear solves",) if solved else ()), "s", "repeats",
-        "slowest / fastest", "compile s", "MiB", *quantities,
+        "slowest / fastest", "compile s", "MiB of arrays", "MiB of the process", *quantities,
     )  # fmt: skip
-    return Table("Runs", head, tuple(rows))
+    note = "Arrays: what the solver holds; the process keeps, besides, what was compiled and run before."
+    return Table("Runs", head, tuple(rows), note)
 
 
 def _threads_table(measured: list[Measurement]) -> Table:

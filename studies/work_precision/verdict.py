@@ -2,7 +2,7 @@
 
 from studies.convergence import Estimate, extrapolate
 from studies.differences import verdict_text
-from studies.display import SHOWN_UNITS
+from studies.display import plus_minus, shown_unit
 from studies.report.study_page import Section
 from studies.verification.outcome import Table
 from studies.work_precision.analysis import by_variant
@@ -38,17 +38,15 @@ def _one_of_each_method(variants: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _table(name: str, unit: str, limits: dict[str, Estimate]) -> Table:
-    scale, shown = SHOWN_UNITS[unit]
     rows = tuple(
         (
             variant,
-            scale * limit.value,
-            None if limit.uncertainty is None else scale * limit.uncertainty,
+            plus_minus(limit.value, limit.uncertainty, unit),
             limit.order,
             limit.basis,
         )
         for variant, limit in limits.items()
     )
-    head = ("variant", f"limit [{shown}]", f"± [{shown}]", "order", "how")
+    head = ("variant", f"limit [{shown_unit(unit)}]", "order", "how")
     note = "f(h) = f0 + a h^p by least squares over all resolutions, after Eça and Hoekstra (2014)."
     return Table(f"{name.replace('_', ' ')} as cells become small", head, rows, note)

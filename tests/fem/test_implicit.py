@@ -20,7 +20,6 @@ from fem import ImplicitSolver
 from meshes.block import block
 from meshes.elevate import elevate
 from meshes.join import join
-from meshes.kinds import KINDS
 from meshes.necking_bar import necking_bar
 
 BULK, SHEAR = 164.206e9, 80.1938e9
@@ -302,28 +301,3 @@ def test_nodal_averages_have_no_tangent():
     """Linear triangles with their cure are refused; the message says what to use."""
     with pytest.raises(UnsupportedError, match="use tri6 elements, or cure='none'"):
         ImplicitSolver(block([0, 0], [1, 1], [1, 1], "tri3"), steel(), increment=1.0)
-
-
-def lowest_stiffness(kind, **options):
-    """Lowest eigenvalue [N/m] of flat elements in a ring, held all round but at the side, once all of it flows."""
-    mesh = elevate(block([0.0, 0.0], [1.0, 0.1], [3, 3], KINDS[kind].linear), kind)
-    loads = (Symmetry("bottom"), Prescribed("top", 1, 0.1))
-    solver = ImplicitSolver(mesh, steel(), loads=loads, increment=0.05, **options)
-    while solver.time < 0.3:
-        solver.advance(0.3)
-    assert (solver.points.old.equivalent_plastic_strain > 0.1).all()
-    matrix = np.zeros((mesh.points.size,) * 2)
-    for table, blocks in zip(solver._system.tables, solver._system.stiffness(), strict=True):
-        for dofs, values in zip(table, blocks, strict=True):
-            matrix[np.ix_(dofs, dofs)] += values
-    r, z = mesh.points.T
-    free = np.repeat((r > 1e-9) & (z > 1e-9) & (z < 0.1 - 1e-9), 2)
-    matrix = matrix[np.ix_(free, free)]
-    return np.linalg.eigvalsh(0.5 * (matrix + matrix.T))[0]
-
-
-@pytest.mark.parametrize(("kind", "cure"), [("quad9", None), ("quad9", "mean-dilatation"), ("tri6", None)])
-def test_cured_elements_do_not_soften_of_themselves(kind, cure):
-    """Flat quadratic elements have no mode of negative stiffness, since points keep a share of their volume ratio."""
-    assert lowest_stiffness(kind, cure=cure) > 0.0
-    assert lowest_stiffness(kind, cure=cure, own_share=0.0) < 0.0

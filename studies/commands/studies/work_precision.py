@@ -76,6 +76,8 @@ def _texts(outcome) -> Iterator[str]:
     from studies.report.study_text import table_text
 
     for section in outcome.report.sections:
+        if section.name == "choice":
+            yield "\n".join([section.title, *(each.text for each in section.verdicts)])
         if section.name.startswith("reach-"):
             yield f"{section.title}\n{table_text(section.tables[0])}"
         if section.name == "verdict":
