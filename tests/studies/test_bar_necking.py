@@ -26,6 +26,7 @@ from studies.bar_necking import (
     bridgman_factor,
     fall_to,
     first_failure,
+    is_broken,
     neck_curvature,
     peak,
     uniform_peak,
@@ -129,6 +130,13 @@ def test_fracture_and_first_failure_are_read_from_the_curve():
     assert first_failure(made) == (2.0, 0.25)
     whole = history([0.0, 1.0], [0.0, 2.0])
     assert fall_to(whole, 0.1) is None and first_failure(whole) == (None, None)
+
+
+def test_a_run_ends_when_the_body_is_broken():
+    """With less than a hundredth of the largest force; a start from nothing and a bar that holds are not broken."""
+    assert not is_broken(NeckingHistory()) and not is_broken(history([0.0, 1.0], [0.0, 2.0]))
+    assert not is_broken(history([0.0, 1.0, 2.0], [1.0, 10.0, 0.2]))
+    assert is_broken(history([0.0, 1.0, 2.0], [1.0, 10.0, 0.05]))
 
 
 def test_coarse_bar_necks_near_the_other_codes():
