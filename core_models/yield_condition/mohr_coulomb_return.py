@@ -41,12 +41,11 @@ def _(yield_condition, model, flow, problem, rows, k):
     cohesion = strength(flow, problem, 0.0).stress
     if _largest_excess(yield_condition, shifted_values(values, stress), cohesion) <= 0.0:
         return unchanged(problem, stress, bulk)
-    # A shear stress that round-off hides has no direction to flow in.
-    if values[0] - values[2] <= SLACK * allowance(problem, cohesion, bulk):
-        returned = _apex(yield_condition, model, flow, problem, values)
-        if returned.status == OK:
-            return returned
-    return _search(yield_condition, model, flow, problem, values, axes)
+    # Round-off of the mean stress hides neither order nor direction of the flow, unless nothing else is found.
+    returned = _search(yield_condition, model, flow, problem, values, axes, True)
+    if returned.status != OK:
+        returned = _search(yield_condition, model, flow, problem, values, axes, False)
+    return returned
 
 
 @inside_kernel
@@ -56,15 +55,21 @@ def _largest_excess(law, stress, cohesion):
 
 
 @beside_kernel
-def _search(law, model, flow, problem, values, axes):
-    """The first set of active planes whose return ends on the surface with principal stresses in order, or the apex."""
+def _search(law, model, flow, problem, values, axes, is_strict):
+    """The first set of active planes whose return ends on the surface with principal stresses in order, or the apex.
+
+    is_strict : whether round-off of the mean stress may not hide the order of the stresses, nor flow backwards.
+    """
     for regime in range(1, APEX):
         planes = PLANES[regime - 1]
         if planes[0] >= 3 and law.tension_cutoff == math.inf:
             break
         converged, gammas, now, increment, limit = flow_on(law, model, flow, problem, values, planes)
         cohesion = strength(flow, problem, increment)
-        if converged and _is_admissible(law, problem, gammas, now.stress, cohesion.stress, SLACK * limit):
+        slack = SLACK * limit
+        order = allowance(problem, cohesion.stress, abs(now.mean_stress)) if is_strict else slack
+        is_on = _largest_excess(law, now.stress, cohesion.stress) <= slack
+        if converged and is_on and _is_ordered(problem, gammas, now.stress, order):
             m = now.mean_stress
             deviator = from_principal(shifted_values(now.stress, -m), axes)
             return Returned(
@@ -75,11 +80,10 @@ def _search(law, model, flow, problem, values, axes):
 
 
 @inside_kernel
-def _is_admissible(law, problem, gammas, stress, cohesion, limit):
-    """Whether a return has flowed forwards, kept the order of the principal stresses and ended on the surface."""
+def _is_ordered(problem, gammas, stress, limit):
+    """Whether a return has kept the order of the principal stresses and flowed forwards."""
     is_ordered = stress[0] - stress[1] >= -limit and stress[1] - stress[2] >= -limit
-    is_forward = min(gammas[0], gammas[1], gammas[2]) >= -limit / problem.shear
-    return is_ordered and is_forward and _largest_excess(law, stress, cohesion) <= limit
+    return is_ordered and min(gammas[0], gammas[1], gammas[2]) >= -limit / problem.shear
 
 
 @beside_kernel

@@ -5,7 +5,7 @@ sigma, beyond the slope of the flow stress, softens them, and the surface of a n
 share^2 K. In patches of quadratic elements in a ring, held all round but at its side and pulled to strains of 0.1 to
 0.8, 0.056 is enough for no negative eigenvalue, whatever the cure and the shape, up to 50 : 1, of steel with
 sigma = K / 200. It grows with the root of sigma / K: a tenth is enough up to sigma = K / 60. In plane strain such
-patches need none. What a share holds it also locks a little: docs/methods.md. Tests: `tests/fem/test_implicit.py`.
+patches need none. What a share holds it also locks a little: docs/methods.md. Tests: `tests/fem/test_own_share.py`.
 """
 
 from core_models.arguments import check_share

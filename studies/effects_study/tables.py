@@ -1,17 +1,19 @@
 """Tables and report of the effects study."""
 
-from statistics import median
+from collections.abc import Iterable
 
+from studies.display import number, shown_title
 from studies.effects_study.decisions import Decision
 from studies.effects_study.off import OffCost
 from studies.effects_study.switched import AS_IT_IS, Switched
-from studies.report.study_page import Report, Section
+from studies.report.study_page import NEUTRAL, Report, Section, Verdict
 from studies.scene import Scene
 from studies.verification.outcome import Table
 from studies.work_precision.measurement import Measurement
 
 FIELDS = {"max_plastic_strain": "equivalent_plastic_strain", "max_temperature": "temperature"}
 MATTERS = 0.005  # relative change of an answer that matters
+SMALLEST = 5e-5  # relative change that is still told in short
 SHAPE = ("final_length", "foot_radius")
 
 
@@ -26,6 +28,7 @@ def report_of(
         lead,
         facts,
         (
+            Section("short", "In short", verdicts=tuple(_in_short(runs))),
             Section("decisions", "Decided from the scene's own numbers", (_decision_table(found),)),
             Section("changes", "What each costs and changes", (change_table(runs),)),
             Section("verdicts", "Decisions against results", (verdict_table(runs, found),)),
@@ -50,6 +53,31 @@ def _asked(decision: Decision) -> str:
 def _changes(switched: Switched, base: Measurement) -> dict[str, float]:
     both = set(switched.run.values) & set(base.values)
     return {name: switched.run.values[name] / base.values[name] - 1.0 for name in both}
+
+
+def _in_short(runs: list[Switched]) -> Iterable[Verdict]:
+    """A sentence for each effect: what it changes in the shape and how long it takes, what changes most first."""
+    base = {each.method: each.run for each in runs if each.effect == AS_IT_IS}
+    switched = [
+        each for each in runs if each.effect != AS_IT_IS and each.run.values and base[each.method].values
+    ]
+    effects = dict.fromkeys((each.effect, each.to) for each in switched)
+    told = []
+    for effect, to in effects:
+        group = [each for each in switched if (each.effect, each.to) == (effect, to)]
+        parts = [_part(each, base[each.method]) for each in group]
+        largest = max(abs(change) for change, _ in parts)
+        told.append((largest, f"{shown_title(f'{effect} {to}')}: {'; '.join(text for _, text in parts)}."))
+    return (Verdict(NEUTRAL, text) for _, text in sorted(told, reverse=True))
+
+
+def _part(each: Switched, base: Measurement) -> tuple[float, str]:
+    changes = _changes(each, base)
+    name = max(SHAPE, key=lambda name: abs(changes[name]))
+    times = each.run.seconds / base.seconds
+    change = f"{100.0 * changes[name]:+.2f} %" if abs(changes[name]) >= SMALLEST else "not"
+    words = f"{name.replace('_', ' ')} {change}"
+    return changes[name], f"by {each.method} {words}, {number(times, 2)} times as long"
 
 
 def change_table(runs: list[Switched]) -> Table:
@@ -87,7 +115,7 @@ def change_table(runs: list[Switched]) -> Table:
 def _off_table(offs: list[OffCost]) -> Table:
     rows = tuple(
         (
-            each.method, median(each.off), median(each.never), 100.0 * (each.ratio - 1.0), 100.0 * each.noise,
+            each.method, min(each.off), min(each.never), 100.0 * (each.ratio - 1.0), 100.0 * each.noise,
             "yes" if each.same else "no",
         )
         for each in offs
@@ -98,7 +126,7 @@ def _off_table(offs: list[OffCost]) -> Table:
     )  # fmt: skip
     note = (
         "Damage, heating, conduction, viscosity and friction off, beside a card without the numbers that only these "
-        "read; runs of both made in turn, medians; noise: half the middle range of runs that are all the same."
+        "read; the fastest of runs of both made in turn; noise: how far the faster quarter of equal runs is from it."
     )
     return Table("Off beside never", head, rows, note)
 

@@ -412,6 +412,17 @@ def test_an_eighth_of_a_bar_in_three_dimensions_necks_like_the_body_of_revolutio
     assert area(solid.shape) == pytest.approx(area(plane.shape), rel=0.01)
 
 
+def test_a_square_bar_that_stays_straight_has_the_closed_form_of_the_largest_force():
+    """A run of its own section, as large as the round one, in three dimensions: within 0.1 %."""
+    half = 0.5 * math.sqrt(math.pi) * SIMO.radius
+    plan = PlannedRun(
+        "square", "fem-implicit", 1, 2, kind="hex8", increments=14, body="square-bar", radius=half, taper=1.0
+    )
+    run = make_run(replace(SIMO, pull=4.2e-3), plan)
+    assert peak(run.history)[1] == pytest.approx(uniform_peak(SIMO.material, SIMO.radius), rel=1e-3)
+    assert run.history.column("bridgman_flow").max() == 0.0
+
+
 def area(shape):
     """Area of quads (n, 4, 2) [m^2]."""
     x, y = shape[..., 0], shape[..., 1]

@@ -125,7 +125,7 @@ def test_the_study_leaves_tables_and_goes_on_after_a_refusal(copper, tmp_path, m
     assert len(outcome.runs) == 2 + len(SWITCHES)
     assert "mpm: damage off,2.0,1.0" in (tmp_path / "out/changes.csv").read_text()
     assert "no conduction here" in (tmp_path / "out/failures.csv").read_text()
-    assert "mpm,1.0,1.0,0.0" in (tmp_path / "out/off.csv").read_text()
+    assert "mpm,1.0,0.9," in (tmp_path / "out/off.csv").read_text()
     assert json.loads((tmp_path / "out/results.json").read_text())["study"] == "effects"
 
 
@@ -144,4 +144,5 @@ def test_effects_that_are_off_leave_no_trace(copper):
     slots = ("damage", "erosion", "heating", "damage_radius")
     assert all(getattr(each.material, slot) is None for each in (off, never) for slot in slots)
     assert not (off.conduction or off.viscosity or off.friction)
-    assert OffCost("mpm", (1.2, 1.1, 1.0), (1.0, 1.1, 1.4), True).ratio == 1.0
+    cost = OffCost("mpm", (1.2, 1.1, 1.0), (1.0, 1.5, 1.1, 1.4), True)
+    assert cost.ratio == 1.0 and cost.noise == pytest.approx(0.1)

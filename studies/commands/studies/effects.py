@@ -55,7 +55,8 @@ def execute(options: argparse.Namespace) -> int:
         spatial=not options.planar,
         tell=lambda switched: tally.tell(_said(switched)),
     )
-    text = "\n\n".join(table_text(section.tables[0]) for section in outcome.report.sections[:3])
+    tables = [section.tables[0] for section in outcome.report.sections if section.tables]
+    text = "\n\n".join(table_text(each) for each in tables if each.rows)
     print_study(out, text, outcome.remark, as_json=options.json)
     return 0 if any(each.run.values for each in outcome.runs) else NOTHING
 
