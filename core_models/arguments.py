@@ -50,6 +50,21 @@ def check_not_negative(name: str, values: float | np.ndarray, unit: str) -> None
         raise SceneError(f"{name} of {bad[0]:g} {unit}: give finite numbers, not below 0")
 
 
+def numbers_of(name: str, values: Any, shape: tuple[int | None, ...]) -> np.ndarray:
+    """The values as a contiguous array of numbers of the shape, None for any length above 0; SceneError otherwise."""
+    wanted = (
+        f"({', '.join('n' if length is None else str(length) for length in shape)}{',' * (len(shape) == 1)})"
+    )
+    try:
+        array = np.ascontiguousarray(values, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise SceneError(f"{name} is no array of numbers: give one of the shape {wanted}") from None
+    fits = len(array.shape) == len(shape) and array.size > 0
+    if not fits or any(length not in (None, found) for length, found in zip(shape, array.shape, strict=True)):
+        raise SceneError(f"{name} has the shape {array.shape}: give numbers of the shape {wanted}, n > 0")
+    return array
+
+
 def check_step(dt: float) -> None:
     """Refuse a time step [s] that is not positive; SceneError."""
     if not dt > 0.0:

@@ -5,12 +5,10 @@ on and what cannot be computed from that again, nothing of what the solver is bu
 """
 
 from collections.abc import Iterable
-from dataclasses import fields
 
 import numpy as np
 
 from core_models.errors import SceneError
-from core_models.ledger import EnergyLedger
 from core_models.points import MaterialPoints
 
 Checkpoint = dict[str, np.ndarray]
@@ -58,16 +56,6 @@ def restore_points(points: MaterialPoints, checkpoint: Checkpoint) -> None:
         if array is not None:
             array[...] = checkpoint[name]
     put_values(points, POINT_ARRAYS, checkpoint)
-
-
-def ledger_checkpoint(ledger: EnergyLedger) -> Checkpoint:
-    """All terms of a ledger [J]."""
-    return values_of(ledger, (term.name for term in fields(ledger)))
-
-
-def restore_ledger(ledger: EnergyLedger, checkpoint: Checkpoint) -> None:
-    """Give a ledger the terms that `ledger_checkpoint` has taken."""
-    put_values(ledger, (term.name for term in fields(ledger)), checkpoint)
 
 
 def check_fits(own: Checkpoint, given: Checkpoint) -> None:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from core_models.arguments import check_not_negative, check_step, require_writable
+from core_models.arguments import check_not_negative, check_step, numbers_of, require_writable
 from core_models.at_rest import bulk_at_rest, initial_state, initial_wave_speed
 from core_models.bulk_viscosity import BulkViscosity
 from core_models.compilation import CHUNK
@@ -83,7 +83,8 @@ class MaterialPoints:
     `advance` reads the state `old` and writes `new`; `accept` makes the new state the old one. A step that is
     rejected is simply advanced again.
 
-    Raises SceneError for volumes and temperatures that are negative or not finite, and for steps that are not positive.
+    Raises SceneError for volumes and temperatures that are negative or not finite, no points, deformation gradients
+    that are not (n, 3, 3), and for steps that are not positive.
     """
 
     def __init__(
@@ -98,7 +99,7 @@ class MaterialPoints:
         self.material = material
         self.model = material.model
         self.viscosity = viscosity
-        self.reference_volumes = np.ascontiguousarray(reference_volumes, dtype=np.float64)
+        self.reference_volumes = numbers_of("reference_volumes", reference_volumes, (None,))
         self.n = len(self.reference_volumes)
         check_not_negative("a reference volume", self.reference_volumes, "m^3")
         self.threads = threads or Threads(1)
@@ -124,10 +125,10 @@ class MaterialPoints:
         Raises PointFailure naming the first point that cannot follow.
         """
         check_step(dt)
-        before, after = self.old_deformation_gradient, self.deformation_gradient
+        before, after = self._motion()
         self.threads.run_with(
-            advance_points, len(self._sums), self._workspaces, self.model, self.viscosity,
-            before.reshape(self.n, 9), after.reshape(self.n, 9), dt, self.reference_volumes, self.lengths, self.old,
+            advance_points, len(self._sums), self._workspaces, self.model, self.viscosity, before, after, dt,
+            self.reference_volumes, self.lengths, self.old,
             self.new, self.wave_speed, self._new_viscous_pressure, self._sums, self._failures,
         )  # fmt: skip
         return self._outcome()
@@ -151,10 +152,10 @@ class MaterialPoints:
             raise UnsupportedError("a step with bulk viscosity has no tangent: leave the viscosity out")
         require_writable("stresses", stresses, (self.n, 3, 3))
         require_writable("tangents", tangents, (self.n, 9, 9))
-        before, after = self.old_deformation_gradient, self.deformation_gradient
+        before, after = self._motion()
         self.threads.run_with(
-            linearise_points, len(self._sums), self._workspaces, self.model, before.reshape(self.n, 9),
-            after.reshape(self.n, 9), dt, self.reference_volumes, self.old, self.new, self.wave_speed, self._sums,
+            linearise_points, len(self._sums), self._workspaces, self.model, before, after, dt,
+            self.reference_volumes, self.old, self.new, self.wave_speed, self._sums,
             self._failures, stresses.reshape(self.n, 9), tangents,
         )  # fmt: skip
         return self._outcome()
@@ -184,6 +185,11 @@ class MaterialPoints:
         bulk = bulk_at_rest(material)
         return stability_measure(material.stability, spatial, cauchy, bulk, shear)
 
+    def _motion(self) -> list[np.ndarray]:
+        """Deformation gradients before and after the step, (n, 9) each."""
+        names = ("old_deformation_gradient", "deformation_gradient")
+        return [numbers_of(name, getattr(self, name), (self.n, 3, 3)).reshape(self.n, 9) for name in names]
+
     def _outcome(self) -> Work:
         bad = np.flatnonzero(self._failures[:, 0] != OK)
         if bad.size:
@@ -200,10 +206,11 @@ class MaterialPoints:
         """Prepare the average of a nonlocal damage, if the material asks for one.
 
         positions : of the points in the reference body (n, d) [m]. geometry : of these coordinates. planes : of
-        symmetry, in which the body is continued.
+        symmetry, in which the body is continued. Raises SceneError for positions that are not (n, d).
         """
         radius = self.material.damage_radius
         if radius is not None:
+            positions = numbers_of("positions", positions, (self.n, None))
             self._average = NonlocalAverage(positions, self.reference_volumes, radius, geometry, planes)
 
     def accept(self) -> None:

@@ -10,17 +10,20 @@ logger = logging.getLogger(__name__)
 
 MAXIMUM_REDOS = 6
 REDUCTION = 0.25
+ADVICE = "check velocity and material, or try another resolution"
 VANISHING_STEP = 1e-6  # of the first step's size: below it a run would not come to an end
 
 
-def redoing(attempt, dt: float, smallest: float, place: Callable[[], str], explain: Callable) -> float:
+def redoing(
+    attempt, dt: float, smallest: float, place: Callable[[], str], explain: Callable, advice: str = ADVICE
+) -> float:
     """Call attempt(dt) until it does not raise PointFailure, each time with a quarter of the step.
 
     Parameters
     ----------
     attempt : takes dt [s]; must leave everything as it was when it raises. smallest : step not to go below [s].
     place : says step, time, point and laws, for the message about a vanishing step. explain : turns the last
-    PointFailure into the RunFailure that ends the run.
+    PointFailure into the RunFailure that ends the run. advice : what to do about a vanishing step.
 
     Returns the step that worked [s].
     """
@@ -28,7 +31,7 @@ def redoing(attempt, dt: float, smallest: float, place: Callable[[], str], expla
         if not dt > smallest:
             raise RunFailure(
                 f"{place()}: the time step has shrunk to {dt:.3e} s: something moves, or is squeezed, too fast for "
-                "this resolution; check velocity and material, or try another resolution"
+                f"this resolution; {advice}"
             )
         try:
             attempt(dt)

@@ -1,19 +1,22 @@
 """Checkpoint and restart of a solver whose state is values of its own, of its points and of named parts."""
 
+from dataclasses import fields
+
 from core_models.checkpoint import (
     Checkpoint,
     check_fits,
-    ledger_checkpoint,
     part_of,
     points_checkpoint,
     put_values,
-    restore_ledger,
     restore_points,
     under,
     values_of,
 )
+from core_models.ledger import EnergyLedger
 
 Parts = tuple[tuple[str, tuple[str, ...]], ...]
+
+LEDGER = ("_ledger", tuple(term.name for term in fields(EnergyLedger)))
 
 
 class Restartable:
@@ -31,7 +34,6 @@ class Restartable:
         checkpoint = {
             **values_of(self, self.VALUES),
             **under("points", points_checkpoint(self.points)),
-            **under("ledger", ledger_checkpoint(self._ledger)),
         }
         for part, names in self._parts():
             checkpoint |= under(part.lstrip("_"), values_of(getattr(self, part), names))
@@ -45,9 +47,8 @@ class Restartable:
         check_fits(self.checkpoint(), checkpoint)
         put_values(self, self.VALUES, checkpoint)
         restore_points(self.points, part_of(checkpoint, "points"))
-        restore_ledger(self._ledger, part_of(checkpoint, "ledger"))
         for part, names in self._parts():
             put_values(getattr(self, part), names, part_of(checkpoint, part.lstrip("_")))
 
     def _parts(self) -> Parts:
-        return tuple(each for each in self.PARTS if getattr(self, each[0]) is not None)
+        return tuple(each for each in (LEDGER, *self.PARTS) if getattr(self, each[0]) is not None)

@@ -91,12 +91,3 @@ def get_tensor(rows, row, k):
         get(rows, row + 3, k), get(rows, row + 4, k), get(rows, row + 5, k),
         get(rows, row + 6, k), get(rows, row + 7, k), get(rows, row + 8, k),
     )  # fmt: skip
-
-
-@inside_kernel
-def put_tensor(rows, row, k, t):
-    """Write the tensor of point k in nine rows."""
-    put_symmetric(rows, row, k, t)
-    put(rows, row + 6, k, t[6])
-    put(rows, row + 7, k, t[7])
-    put(rows, row + 8, k, t[8])

@@ -38,12 +38,6 @@ def load_symmetric(a, i):
 
 
 @inside_kernel
-def store_symmetric(a, i, s):
-    """Write symmetric tensor s in row i of an array (n, 6)."""
-    a[i, 0], a[i, 1], a[i, 2], a[i, 3], a[i, 4], a[i, 5] = s
-
-
-@inside_kernel
 def determinant(a):
     """Det a."""
     return (

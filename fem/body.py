@@ -21,15 +21,15 @@ from meshes.mesh import Mesh
 
 
 class Body:
-    """Elements of a mesh in a geometry, with an integration and a cure; what the points see of nodes and back.
+    """Elements of a mesh in a geometry, with integration, cure and its share; what the points see of nodes and back.
 
     nodal_mass : (n,) [kg]. corner_forces : (m a, d) internal forces on the corners of elements [N]. scales : (points,)
     (theta / J)^(1/3) of the cure, or None. hourglass_energy : [J].
     """
 
     def __init__(
-        self, mesh: Mesh, material: Material, geometry: Geometry, integration: str, cure: str, hourglass: float,
-        threads: Threads,
+        self, mesh: Mesh, material: Material, geometry: Geometry, integration: str, cure: str, share: float,
+        hourglass: float, threads: Threads,
     ) -> None:  # fmt: skip
         self._threads, self._geometry, self._density = threads, geometry, material.density
         self._shear = elastic_moduli(material.elasticity)[1]
@@ -38,7 +38,7 @@ class Body:
         nodes, count = mesh.cells, len(mesh.points)
         self.nodal_mass = np.bincount(nodes.ravel(), weights=self.space.corner_mass.ravel(), minlength=count)
         self.round = elements_round_nodes(nodes, count)
-        self._cure = make_cure(cure, mesh, self.space)
+        self._cure = make_cure(cure, mesh, self.space, share)
         self._hourglass, frequencies = None, None
         if is_one_point_brick(mesh.kind, integration):
             self._hourglass = make_hourglass(

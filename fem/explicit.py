@@ -26,6 +26,7 @@ from fem.body import Body
 from fem.checkpoint import RestartableSteps
 from fem.conduction import Conduction
 from fem.cures.choice import find_cure
+from fem.cures.own_share import check_own_share
 from fem.elements import FULL
 from fem.external import ExternalForces
 from fem.hourglass import DEFAULT
@@ -35,6 +36,11 @@ from fem.supports import Supports
 from meshes.axisymmetric import axisymmetric
 from meshes.mesh import Mesh, check_mesh
 from meshes.single_body import refuse_several_bodies
+
+SQUEEZED = (
+    "check velocity and material, try another resolution or other elements (quad4 and hex8 with full integration bear "
+    "most, quadratic ones more without a cure), or material points"
+)
 
 
 class ExplicitSolver(RestartableSteps, Readout):
@@ -51,8 +57,10 @@ class ExplicitSolver(RestartableSteps, Readout):
     conduction : whether heat is conducted (core_models.conduction), else the body is adiabatic.
     integration : 'full' or 'reduced' (one point in quad4 and hex8, two along each edge of quad8 and hex20).
     cure : against locking: None for the element's own, 'none', 'mean-dilatation', 'linear-dilatation' (quadratic
-    quads and hexahedra), 'nodal-average' (tri3, tet4). hourglass : coefficient of the hourglass control of one-point
-    elements, in (0, 1]. safety : part of the estimated stable step that is taken, in (0, 1].
+    quads and hexahedra), 'nodal-average' (tri3, tet4). own_share : of its own volume ratio that a point keeps under
+    the cure, 0 to 1 (`fem.cures.own_share`: a tenth keeps the surface of a neck smooth). hourglass : coefficient of the
+    hourglass control of one-point elements, in (0, 1]. safety : part of the estimated stable step that is taken, in
+    (0, 1].
 
     `advance` makes one step: motion of the nodes -> kinematics -> points -> nodal forces.
     Raises SceneError, MeshError or UnsupportedError for what cannot be.
@@ -76,6 +84,7 @@ class ExplicitSolver(RestartableSteps, Readout):
         conduction: bool = False,
         integration: str = FULL,
         cure: str | None = None,
+        own_share: float = 0.0,
         hourglass: float = DEFAULT,
         safety: float = 0.9,
     ) -> None:
@@ -93,7 +102,10 @@ class ExplicitSolver(RestartableSteps, Readout):
         check_displacement(displacement, self.mesh, self.geometry, loads, self.wall)
         self.cure = find_cure(cure, mesh.kind, integration)
         self.threads = Threads(threads)
-        self._body = Body(self.mesh, material, self.geometry, integration, self.cure, hourglass, self.threads)
+        share = check_own_share(own_share, self.cure)
+        self._body = Body(
+            self.mesh, material, self.geometry, integration, self.cure, share, hourglass, self.threads
+        )
         self.mass = float(self._body.nodal_mass.sum())
         self._supports = Supports(loads, self.mesh, self.geometry)
         self._external = ExternalForces(loads, self.mesh, self.geometry, self._body.nodal_mass)
@@ -150,6 +162,7 @@ class ExplicitSolver(RestartableSteps, Readout):
             VANISHING_STEP * self._first_step,
             lambda: self.points.place(self.step_count + 1, self.time, int(self.point_volumes().argmin())),
             lambda reason: self.points.failure(reason, self.step_count + 1, self.time),
+            SQUEEZED,
         )
         self.time = limit if taken == limit - self.time else self.time + taken
         self.step_count += 1

@@ -26,7 +26,7 @@ def resist(
     Parameters
     ----------
     first, last : chunks of ELEMENT_CHUNK elements. scratch : (MOST_POINTS, columns), the thread's own.
-    geometry, element, cure : what the kernel is compiled for. metric : `fem.stable_step.Metric`.
+    geometry, element, cure : what the kernel is compiled for. metric : `fem.metric.Metric`.
     gradients (n, 3, 3), scales (n,) or None : of the points, as `deform` left them. stress (n, 6) [Pa],
     viscous (n,) [Pa] or None, wave_speed (n,) [m/s] : of the points. shear : modulus [Pa].
     corner_mass : (m, a) [kg]. corner_forces : (m, a, d) [N], written. steps : (chunks,) [s], written.

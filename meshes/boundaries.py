@@ -28,12 +28,6 @@ def require_boundaries(mesh: Mesh, names: Iterable[str]) -> None:
             )
 
 
-def name_facets(facets: Facets, on: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Boundaries as those facets of the rim all of whose nodes are marked: name -> (n,) booleans of the nodes."""
-    rim = facets.nodes[facets.rim()]
-    return {name: rim[marked[rim].all(axis=1)] for name, marked in on.items()}
-
-
 def owned_facets(
     points: np.ndarray, facets: Facets, per_cell: int, named: Mapping[str, np.ndarray]
 ) -> dict[str, np.ndarray]:

@@ -50,6 +50,12 @@ def check_total(body: str, elements: float) -> None:
         raise MeshError(f"{body}: makes some {elements:.2g} elements; give at most {MOST_ELEMENTS:.2g}")
 
 
+def check_grading(body: str, grading: float) -> None:
+    """Refuse a ratio of the heights of the first and the last layer that is too steep to mesh; MeshError."""
+    if not 1.0 / STEEPEST_GRADING <= grading <= STEEPEST_GRADING:
+        raise MeshError(f"{body}: grading is {grading:g}; give a number from 0.01 to 100 (1 is even)")
+
+
 def check_cylinder(
     body: str,
     radius: float,
@@ -66,8 +72,7 @@ def check_cylinder(
     """
     check_length(body, "radius", radius)
     check_length(body, "length", length)
-    if not 1.0 / STEEPEST_GRADING <= grading <= STEEPEST_GRADING:
-        raise MeshError(f"{body}: grading is {grading:g}; give a number from 0.01 to 100 (1 is even)")
+    check_grading(body, grading)
     check_number(body, "foot_height", foot_height)
     check_count(body, "elements_across", across)
     if along is None:

@@ -10,6 +10,7 @@ from meshes.kinds import find_kind
 from meshes.mesh import Mesh
 from meshes.parameters import check_count, check_cylinder
 from meshes.patch import Patch, weld
+from meshes.progression import progression
 
 PLANES = {"foot": 2, "symmetry_x": 0, "symmetry_y": 1}
 """Boundaries on which a coordinate, given by its number, is zero."""
@@ -61,16 +62,8 @@ def _layers(across: int, along: int, grading: float, height: float, kind: str) -
     patch = weld(quarter_disk(across, kind, along))
     names = {name: name for name in ("symmetry_x", "symmetry_y")}
     patch = patch.renamed({"bottom": "foot", "outer": "side", "top": "rear"} | names)
-    patch.points[:, 2] = height * _progression(patch.points[:, 2], along, grading)
+    patch.points[:, 2] = height * progression(patch.points[:, 2], along, grading)
     return patch
-
-
-def _progression(share: np.ndarray, count: int, grading: float) -> np.ndarray:
-    """Heights from 0 to 1 of layers, at shares from 0 to 1 of their number; middle nodes lie halfway."""
-    sizes = np.geomspace(grading, 1.0, count) if count > 1 else np.ones(1)
-    heights = np.concatenate([[0.0], np.cumsum(sizes / sizes.sum())])
-    heights[-1] = 1.0
-    return np.interp(share * count, np.arange(count + 1.0), heights)
 
 
 def _irregular(across: int, grading: float, height: float, kind: str) -> Patch:

@@ -4,13 +4,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from core_models.checkpoint import Checkpoint
 from core_models.compilation import CHUNK
 from core_models.geometry import Geometry
 from core_models.threads import Threads
 from mpm.anchors import Anchors, Through, particle_shape, point_shape
 from mpm.configurations import Total, Updated
-from mpm.grid import FORCE, MASS, RECORD, VELOCITY, block_nodes, box_grid, clear, make_grid, with_storage
+from mpm.grid import FORCE, MASS, RECORD, VELOCITY, block_nodes, clear, find_box, make_grid, with_storage
 from mpm.interpolation import layers
 from mpm.interpolation.catalogue import Interpolation
 from mpm.interpolation.cpdi import ConvectedDomain, step_factor
@@ -50,12 +49,17 @@ class Background:
         self._pairs = [(mirror.axis, *pair) for mirror in mirrors for pair in mirror.pairs(layers(shape))]
         self._scratch = [make_scratch(len(bounds)) for _thread in range(threads.count)]
         self.blocks = 0
-        self._beyond = [0.0] * len(self._pairs)
+        self._beyond = np.zeros(len(self._pairs))
 
     def surround(self, positions: np.ndarray) -> None:
         """Make a grid with room for particles at these positions (n, d) [m]."""
-        self.grid = make_grid(self.geometry, self.cell_size, self._base, positions)
-        self.order = make_order(len(positions), self.grid)
+        self.box = find_box(self.cell_size, self._base, positions)
+        self.renew(len(positions))
+
+    def renew(self, particles: int) -> None:
+        """Make the grid of the box anew, for so many particles."""
+        self.grid = make_grid(self.cell_size, self._base, self.box)
+        self.order = make_order(particles, self.grid)
         self.blocks = 0
 
     def convect(self, deformation_gradient: np.ndarray) -> None:
@@ -68,22 +72,6 @@ class Background:
         if isinstance(self.shape, ConvectedDomain):
             return step_factor(self.shape, self.geometry, self.cell_size, self.threads)
         return 1.0
-
-    def checkpoint(self) -> Checkpoint:
-        """The box of the grid, which the order of all sums depends on, and the impulses across symmetry planes."""
-        return {
-            "low": self.grid.low.copy(),
-            "shape": self.grid.shape.copy(),
-            "beyond": np.array(self._beyond),
-        }
-
-    def restore(self, checkpoint: Checkpoint, particles: int) -> None:
-        """Make the grid of a checkpoint anew, for so many particles."""
-        low, shape = (np.array(checkpoint[name], dtype=np.int64) for name in ("low", "shape"))
-        self.grid = box_grid(self.cell_size, self._base, low, shape)
-        self.order = make_order(particles, self.grid)
-        self.blocks = 0
-        self._beyond = checkpoint["beyond"].tolist()
 
     def follow(self, positions: np.ndarray) -> int | None:
         """Sort the particles into the grid; returns the number of one that does not fit in, if there is one."""
@@ -108,7 +96,7 @@ class Background:
         """
         self.threads.run(clear, self.blocks, self.grid.nodes, RECORD * block_nodes(self.geometry))
         self.by_colour(to_grid, *particles, self.configuration)
-        self._beyond = self.fold(self.grid.nodes, RECORD)
+        self._beyond[:] = self.fold(self.grid.nodes, RECORD)
         self.threads.run(settle, self.blocks, self.geometry, self.grid, self.energies)
         self.reflect(self.grid.nodes, RECORD)
 

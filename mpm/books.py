@@ -32,7 +32,7 @@ class Books:
 
         A force acts for half the last step on the velocities that it finds, and for half of this one on those after.
         """
-        ledger, background = self.ledger, self._background
+        ledger, background = self._ledger, self._background
         kick = 0.5 * (self._last_step + dt)
         on_grid = background.energies.sum(axis=0)
         kinetic = float(sums[:, ENERGY].sum())
@@ -61,7 +61,7 @@ class Books:
         ledger.strain += work.stress - work.plastic
         self.wall_impulse += push.impulse
         self.wall_force = push.impulse / kick
-        self._reactions = {name: impulse / kick for name, impulse in hold.impulses.items()}
+        self._supports.reactions[:] = hold.impulses / kick
         self._fastest = (math.sqrt(float(sums[:, SPEED].max())), work.wave_speed, work.viscous_pressure)
 
     def _stable_step(self, speed: float, wave_speed: float, viscous_pressure: float) -> float:

@@ -36,10 +36,6 @@ class Contact:
         self.touched = np.zeros(len(self._particles), dtype=np.bool_)
         self._gaps, self._held = np.zeros(0), np.zeros(0, dtype=np.bool_)
 
-    def restore(self, touched: np.ndarray) -> None:
-        """Remember which faces (k,) have touched the wall, as `touched` of a checkpoint says."""
-        self.touched[:] = touched
-
     def measure(
         self, background: Background, positions: np.ndarray, deformation_gradient: np.ndarray
     ) -> None:

@@ -60,8 +60,8 @@ def _(geometry):
     return EDGE * EDGE * EDGE
 
 
-def make_grid(geometry: Geometry, cell_size: float, base: np.ndarray, positions: np.ndarray) -> Grid:
-    """Grid with room for particles at these positions (n, d) [m] and some way round them, without storage yet.
+def find_box(cell_size: float, base: np.ndarray, positions: np.ndarray) -> np.ndarray:
+    """The first block and the number of blocks (2, 3) with room for particles at these positions (n, d) [m].
 
     Raises SceneError for a box of blocks that no memory would hold.
     """
@@ -78,11 +78,12 @@ def make_grid(geometry: Geometry, cell_size: float, base: np.ndarray, positions:
             f"a grid of {' x '.join(f'{EDGE * n:.3g}' for n in shape[:dimension])} nodes for cells of "
             f"{cell_size:.3g} m is too large: give larger cells (at most {EDGE**dimension * MOST_BLOCKS:.0e} nodes)"
         )
-    return box_grid(cell_size, base, first.astype(np.int64), shape.astype(np.int64))
+    return np.array([first, shape], dtype=np.int64)
 
 
-def box_grid(cell_size: float, base: np.ndarray, low: np.ndarray, shape: np.ndarray) -> Grid:
-    """Grid with a box of `shape` (3,) blocks from block `low` (3,) on, without storage yet."""
+def make_grid(cell_size: float, base: np.ndarray, box: np.ndarray) -> Grid:
+    """Grid of a box (2, 3) of blocks, as `find_box` returns it, without storage yet."""
+    low, shape = box
     count = int(shape.prod())
     return Grid(
         cell_size,

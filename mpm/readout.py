@@ -4,6 +4,7 @@ import numpy as np
 
 from core_models.errors import SceneError, UnsupportedError
 from core_models.geometry import Axisymmetric
+from core_models.ledger import EnergyLedger
 from core_models.names import suggestion
 from mpm.configurations import Total
 from mpm.fracture import Fracture, Neighbours, supports
@@ -13,9 +14,14 @@ from mpm.particles import domain_corners
 class Readout:
     """The part of `Solver` that changes nothing."""
 
+    @property
+    def ledger(self) -> EnergyLedger:
+        """Energies at `time`."""
+        return self._ledger
+
     def kinetic_energy(self) -> float:
         """Kinetic energy at `time` [J]."""
-        return self.ledger.kinetic
+        return self._ledger.kinetic
 
     @property
     def angular_momentum(self) -> float | np.ndarray:
@@ -52,7 +58,7 @@ class Readout:
         if name not in known:
             raise SceneError(f"no support holds {name!r}; {suggestion(name, known, 'nothing is held')}")
         if name in self._supports.names:
-            return self._reactions.get(name, np.zeros(self.mesh.dimension)).copy()
+            return self._supports.reactions[self._supports.names.index(name)].copy()
         return self._background.mirror_force(next(m for m in mirrors if name in m.names))
 
     @property

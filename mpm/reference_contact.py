@@ -16,9 +16,9 @@ import numpy as np
 
 from core_models.compilation import kernel
 from core_models.walls import PLANE, Wall
-from mpm.anchors import Anchors
 from mpm.background import Background
 from mpm.contact import Push
+from mpm.grid import Grid
 from mpm.surface import Surface
 
 NEAR = 1.0  # cells: points higher than this are out of reach of the wall in a step
@@ -85,19 +85,14 @@ class ReferenceContact:
     def __init__(self, wall: Wall, rim: Surface) -> None:
         self._wall, self._rim = wall, rim
         self.touched = np.zeros(len(rim.reference_points), dtype=np.bool_)
-        self._anchors: Anchors | None = None
-
-    def restore(self, touched: np.ndarray) -> None:
-        """Remember which points (k,) have touched the wall, as `touched` of a checkpoint says, in a new grid."""
-        self.touched[:] = touched
-        self._anchors = None
+        self._grid: Grid | None = None
 
     def measure(
         self, background: Background, positions: np.ndarray, deformation_gradient: np.ndarray
     ) -> None:
         """Measure the heights of the points above the wall."""
-        if self._anchors is None:
-            self._anchors = background.anchors(self._rim.reference_points)
+        if self._grid is not background.grid:
+            self._grid, self._anchors = background.grid, background.anchors(self._rim.reference_points)
         self._heights = self._rim.points(positions, deformation_gradient)[:, -1]
         if self._wall.kind == PLANE:
             self.touched |= self._heights <= TOUCHING * background.cell_size

@@ -23,7 +23,7 @@ from meshes.mesh import Mesh, check_mesh
 from mpm.background import Background
 from mpm.body import Body
 from mpm.books import Books
-from mpm.checkpoint import Restartable
+from mpm.checkpoint import RestartableSteps
 from mpm.conduction import Conduction
 from mpm.configurations import Total, find_configuration
 from mpm.contact import Contact
@@ -37,6 +37,7 @@ from mpm.musl import MUSL, USL, Remap, check_update
 from mpm.particles import GAUSS, rim_faces
 from mpm.readout import Readout
 from mpm.reference_contact import ReferenceContact
+from mpm.small_masses import warn_of_small_masses
 from mpm.stepping import Stepping
 from mpm.stress_power import StressPower
 from mpm.supports import Supports
@@ -45,7 +46,7 @@ from mpm.transfers import make_transfer
 from mpm.xpic import Filter
 
 
-class Solver(Stepping, Books, Readout, Restartable, Body):
+class Solver(RestartableSteps, Stepping, Books, Readout, Body):
     """Explicit dynamics of a body, from a mesh that its particles are seeded from.
 
     Parameters
@@ -98,6 +99,7 @@ class Solver(Stepping, Books, Readout, Restartable, Body):
         check_body(material, temperature, viscosity)
         check_interpolation(interpolation)
         check_update(update)
+        warn_of_small_masses(interpolation, transfer, update)
         cured = find_cure(cure)
         frame = find_configuration(configuration, interpolation, conduction)
         self._transfer = make_transfer(transfer, flip_fraction, xpic_order)
@@ -157,7 +159,6 @@ class Solver(Stepping, Books, Readout, Restartable, Body):
         self._new_velocities = np.empty_like(self.velocities)
         self._moves = np.empty_like(self.velocities) if self._transfer.share else None
         self._filled = False
-        self._reactions: dict[str, np.ndarray] = {}
         self._neighbours: Neighbours | None = None
         self.time, self.step_count, self.point_updates, self._last_step = 0.0, 0, 0, 0.0
         self.initial_momentum = self.momentum
@@ -165,7 +166,7 @@ class Solver(Stepping, Books, Readout, Restartable, Body):
         self._kinetic, self._stress_power, self._ahead = self._particle_energy(), 0.0, 0.0
         self._powers = StressPower(self.points)
         stored, dissipated = self.stored_energy, self.plastic_energy
-        self.ledger = EnergyLedger(
+        self._ledger = EnergyLedger(
             self._kinetic + stored + dissipated, self._kinetic, stored, plastic=dissipated
         )
         self.time_step = self._stable_step(self._speed(), float(self.points.wave_speed.max()), 0.0)

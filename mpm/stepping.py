@@ -121,7 +121,12 @@ class Stepping:
         Returns the energy that this has lost [J]: what the grid's motion has put in less what the stress gets.
         """
         points, moves = self.points, self._remap.moves
-        given = dt * self._background.power() - external
+        power = self._background.power()
+        given = dt * power - external
+        # Forces act for half of the last step and half of this one, stress for all of a step. Where steps differ, so
+        # does their work, without bound at nodes of next to no mass; here those deform nothing.
+        longer = self._last_step - dt if self.step_count else 0.0
+        uneven = 0.25 * longer * (power - self._background.power_before())
         self._remap.apply(
             self._background, self._places, self._new_velocities, self.affine, self.material.density,
             points.reference_volumes,
@@ -134,12 +139,12 @@ class Stepping:
         )  # fmt: skip
         taken = dt * (self._background.power() - self._forces.power(moves))
         # Half of a step's force works on the velocity that it finds, which is that of the particles already.
-        return 0.5 * (taken - given)
+        return 0.5 * (taken - given) - uneven
 
     def _conduct(self, dt: float) -> None:
         """Conduct heat, if the scene asks for it, on the grid and with the shape that the step began with."""
         if self._conduction is not None:
-            self.ledger.heat += self._conduction.advance(
+            self._ledger.heat += self._conduction.advance(
                 self._background,
                 dt,
                 self.time,

@@ -32,14 +32,14 @@ class Hold(NamedTuple):
 
     work : impulses times the mean of the velocities prescribed for the last step and this one. lost : what the body
     brings with other velocities than those of the last step. later : impulses times velocities after.
-    energy : that was added to the kinetic energy of the grid. impulses : (d,) [N s] by boundary.
+    energy : that was added to the kinetic energy of the grid. impulses : (k, d) [N s] of the boundaries.
     """
 
     work: float
     lost: float
     later: float
     energy: float
-    impulses: dict[str, np.ndarray]
+    impulses: np.ndarray
 
 
 class Supports:
@@ -48,6 +48,8 @@ class Supports:
     Parameters
     ----------
     loads : of `core_models.loads`. particles : in the reference body.
+
+    names : of the boundaries. reactions : (k, d) theirs on the body in the last step [N].
     """
 
     def __init__(self, loads: tuple[Load, ...], particles: Particles, geometry: Geometry) -> None:
@@ -60,6 +62,7 @@ class Supports:
                     f"the support on {name!r} holds the axis r = 0, where particles have no faces: take it off (the "
                     "axis is held radially without), or support another boundary"
                 )
+        self.reactions = np.zeros((len(self.names), self._dimension))
         self._surfaces = {name: Surface(particles.faces[name], particles, geometry) for name in self.names}
         self._by_axis: list[list[Prescribed]] = [
             [load for load in held if load.component == axis] for axis in range(self._dimension)
@@ -78,7 +81,7 @@ class Supports:
         earlier : time of the last step's velocities [s]; the present one in the first step.
         Raises RunFailure where the prescribed velocities cannot be reached.
         """
-        total = {name: np.zeros(self._dimension) for name in self.names}
+        total = np.zeros_like(self.reactions)
         places = {
             name: s.places(background.configuration, positions, deformation_gradient)
             for name, s in self._surfaces.items()
@@ -100,7 +103,7 @@ class Supports:
             energy += 0.5 * float((impulses * (found + reached)).sum())
             cuts = np.cumsum([len(places[load.boundary]) for load in loads])[:-1]
             for load, part in zip(loads, np.split(impulses, cuts), strict=True):
-                total[load.boundary][axis] += part.sum()
+                total[self.names.index(load.boundary), axis] += part.sum()
         return Hold(work, lost, later, energy, total)
 
     def _prescribed(self, loads: list[Prescribed], time: float) -> np.ndarray:

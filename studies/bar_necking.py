@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from core_models.checkpoint import Checkpoint
 from core_models.material import Material
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 
@@ -14,10 +15,14 @@ FRACTURED, DROPPED = (
 )  # of the largest force: what is left when a bar is broken, when its load has dropped
 
 
+AT_SECTION = 0.05  # of the radius: what is so near to y = 0 lies on it
+
+
 class NeckingHistory:
     """What is measured while the body is pulled, row by row.
 
-    Columns: elongation of the half, force and neck_radius (of a strip: force on the quarter and half width); at centre
+    Columns: elongation of the half, force and neck_radius (half width of a square bar; of a strip: force on the
+    quarter and half width); at centre
     and surface of the neck's section plastic strain and triaxiality (mean over equivalent stress); at the centre
     flow_stress (equivalent), axial_stress, temperature and damage; failed: share of points that have failed, and
     failed_place: distance of the first of them from the axis over the radius there. Of a round bar: bridgman_flow and
@@ -42,7 +47,7 @@ class NeckingHistory:
 class NeckingWatch:
     """Takes the rows of a history from a solver.
 
-    is_round : whether the body is a bar of revolution; a strip's force is per unit thickness, on a quarter of it.
+    is_round : whether the body is round, so that Bridgman's formulas hold.
     """
 
     def __init__(self, solver, is_round: bool) -> None:
@@ -60,13 +65,15 @@ class NeckingWatch:
         """A row for the present state and a force [N] at the end."""
         neck = float(solver.boundary_positions("neck")[:, 0].max())
         state, centre, surface = solver.points.old, self._centre, self._surface
+        axis = solver.reference_positions.shape[1] - 1
         equivalent, triaxiality = _stress_state(state.stress[[centre, surface]])
         none = np.zeros(solver.points.n)
         damage = none if state.damage is None else state.damage
         temperature = none if state.temperature is None else state.temperature
         failed = damage >= 1.0
         if self._failed_place == 0.0 and failed.any():
-            self._failed_place = float(np.median(solver.point_positions()[failed, 0])) / neck
+            places = solver.point_positions()[failed]
+            self._failed_place = float(np.median(np.linalg.norm(places[:, :-1], axis=1))) / neck
         self.history.rows.append(
             (
                 float(solver.boundary_positions("end")[:, -1].mean()) - self._start,
@@ -77,7 +84,7 @@ class NeckingWatch:
                 float(state.equivalent_plastic_strain[surface]),
                 float(triaxiality[1]),
                 float(equivalent[0]),
-                float(state.stress[centre, 1]),
+                float(state.stress[centre, axis]),
                 float(temperature[centre]),
                 float(damage[centre]),
                 float(failed.mean()),
@@ -85,6 +92,15 @@ class NeckingWatch:
                 *self._bridgman(solver, force, neck),
             )  # fmt: skip
         )
+
+    def checkpoint(self) -> Checkpoint:
+        """The rows taken so far, and where the first point has failed."""
+        return {"rows": np.array(self.history.rows), "failed_place": np.array(self._failed_place)}
+
+    def restore(self, checkpoint: Checkpoint) -> None:
+        """Go on from a checkpoint, watching a solver that was built alike."""
+        self.history = NeckingHistory(checkpoint["rows"].tolist())
+        self._failed_place = float(checkpoint["failed_place"])
 
     def _bridgman(self, solver, force: float, neck: float) -> tuple[float, float]:
         if not self._is_round:
@@ -103,7 +119,12 @@ def _stress_state(stress: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def neck_curvature(side: np.ndarray) -> float:
-    """Curvature [1/m] of a bar's profile (k, 2) at the neck, z = 0: of the parabola through its first half radius."""
+    """Curvature [1/m] of a bar's profile at the neck, z = 0: of the parabola through its first half radius.
+
+    side : positions (k, 2) [m] on the profile, or (k, 3) on the quarter of the surface, of which it is that at y = 0.
+    """
+    if side.shape[1] == 3:
+        side = side[side[:, 1] < AT_SECTION * side[:, 0].max()]
     r, z = side[:, 0], side[:, -1]
     near = z <= max(0.5 * r.min(), np.sort(z)[2])
     return max(2.0 * float(np.polyfit(z[near] ** 2, r[near], 1)[0]), 0.0)

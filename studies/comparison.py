@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 
 from studies import profile
-from studies.bar_shape import standing
+from studies.bar.shape import standing
 from studies.convergence import Estimate, extrapolate
 from studies.differences import Difference, difference
 from studies.field_maps import FieldMaps, field_maps

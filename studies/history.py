@@ -3,8 +3,8 @@
 import numpy as np
 
 from core_models.checkpoint import Checkpoint
-from studies import bar_shape
-from studies.bar_outline import bar_outline
+from studies.bar.outline import bar_outline
+from studies.bar.shape import foot_radius, length, rim_lift
 from studies.observer import Observer
 from studies.output_folder import OutputFolder
 
@@ -82,9 +82,9 @@ class History(Observer):
             solver.momentum[-1],
             solver.wall_impulse,
             self._mean_force(solver),
-            bar_shape.length(outline),
-            bar_shape.foot_radius(outline),
-            bar_shape.rim_lift(outline),
+            length(outline),
+            foot_radius(outline),
+            rim_lift(outline),
         )
         self._rows.append(tuple(float(value) for value in row))
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from core_models.errors import SceneError
 from core_models.loads import Symmetry
 from core_models.walls import Wall
-from studies.bar_mesh import bar_mesh, check_resolution, own_resolution
+from studies.bar.mesh import bar_mesh, check_resolution, own_resolution
 from studies.scene import Scene
 from studies.variants import read_variant
 

@@ -8,7 +8,7 @@ from core_models.laws import elastic_moduli
 from core_models.walls import check_wall
 from fem.elements import FULL, find_element, points_of
 from meshes.quality import edge_lengths
-from studies.bar_mesh import bar_mesh
+from studies.bar.mesh import bar_mesh
 from studies.effects import scene_effects
 from studies.effects_study.decisions import decisions
 from studies.methods import METHODS, planned_runs

@@ -9,7 +9,7 @@ import numpy as np
 from core_models.compilation import source_hash
 from core_models.errors import DiskFull, OutputError, RunFailure, UnsupportedError
 from core_models.walls import check_wall
-from studies.bar_outline import bar_outline, bar_section
+from studies.bar.outline import bar_outline, bar_section
 from studies.checkpointing.checkpoint_file import Saved, Settings, Spent
 from studies.checkpointing.checkpoints import Checkpoints
 from studies.checkpointing.interval import USUAL, Interval, interval_text

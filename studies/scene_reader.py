@@ -30,7 +30,7 @@ from core_models.conduction import missing_tags
 from core_models.errors import MaterialError, SceneError
 from core_models.material import Material
 from core_models.walls import MEANING, Wall
-from studies.bar_reader import read_bar
+from studies.bar.reader import read_bar
 from studies.methods import METHODS
 from studies.reference_reader import read_curve_entry, read_reference
 from studies.scene import End, Scene

@@ -52,5 +52,10 @@ def keep(folder: OutputFolder, key: str, result: dict[str, Any]) -> None:
     folder.write_text(f"{KEPT}/{_file(key)}.json", to_json(result))
 
 
+def forget(folder: OutputFolder, key: str) -> None:
+    """Remove the result that was kept under a key."""
+    (folder.path / KEPT / f"{_file(key)}.json").unlink()
+
+
 def _file(key: str) -> str:
     return key.replace(":", "-").replace("/", "-")

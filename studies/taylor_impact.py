@@ -10,8 +10,8 @@ import numpy as np
 from core_models.errors import SceneError
 from core_models.walls import PLANE
 from studies import profile
-from studies.bar_outline import bar_outline
-from studies.bar_shape import Outline, foot_height, foot_radius, rim_lift
+from studies.bar.outline import bar_outline
+from studies.bar.shape import Outline, foot_height, foot_radius, rim_lift
 from studies.contact_watch import ContactWatch
 from studies.history import History
 from studies.scene import Scene

@@ -9,6 +9,7 @@ from typing import Any
 
 from core_models.errors import SceneError
 from core_models.names import suggestion
+from studies.solver_options import ELEMENTS, PARTICLES
 
 PLANAR_KINDS = ("quad4", "quad8", "quad9", "tri3", "tri6")
 SPATIAL_KINDS = ("hex8", "hex20", "hex27", "tet4", "tet10")
@@ -16,19 +17,12 @@ SPATIAL = "spatial"
 KIND = "kind"
 
 WORDS: dict[str, dict[str, tuple[str, ...]]] = {
-    "fem-explicit": {
-        KIND: (*PLANAR_KINDS, *SPATIAL_KINDS),
-        "integration": ("full", "reduced"),
-        "cure": ("none", "mean-dilatation", "linear-dilatation", "nodal-average"),
-    },
+    "fem-explicit": {KIND: (*PLANAR_KINDS, *SPATIAL_KINDS), **ELEMENTS},
     "mpm": {
         KIND: ("quad4", "hex8"),
-        "interpolation": ("linear", "gimp", "cpdi", "quadratic", "cubic"),
-        "transfer": ("apic", "flip", "pic", "xpic"),
+        **PARTICLES,
         "update": ("usl", "musl"),
         "configuration": ("updated", "total"),
-        "cure": ("none", "mean-dilatation"),
-        "seeding": ("gauss", "lattice"),
     },
 }
 """Words of each solver by option."""

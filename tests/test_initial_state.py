@@ -1,4 +1,4 @@
-"""A body that starts deformed, in both methods."""
+"""A body that starts deformed or moving, in both methods."""
 
 import numpy as np
 import pytest
@@ -43,3 +43,21 @@ def test_a_body_that_starts_turned_starts_with_the_turned_stress(build, request,
         assert np.allclose(in_plane(turned), turn @ in_plane(straight) @ turn.T, rtol=0.0, atol=1e-7 * size)
         assert turned.ledger.strain == pytest.approx(ledger.strain, rel=1e-7)
         assert turned.ledger.plastic == pytest.approx(ledger.plastic, rel=1e-7)
+
+
+@pytest.mark.parametrize("method", ["fem-explicit", "mpm"])
+def test_points_start_with_the_velocities_asked_for(build, j2, method):
+    """Where a field of velocities is linear, those of the points are the field's at their places to round-off."""
+    mesh = block((0.0, 0.0), (4.0 * CELL, 4.0 * CELL), (4, 4))
+    rates = np.array([[2.0, -1.0], [3.0, 1.0]])
+    solver = build(
+        method,
+        mesh,
+        j2,
+        geometry="plane-strain",
+        wall=None,
+        velocity=lambda x: x @ rates.T,
+        viscosity=BulkViscosity(),
+    )
+    expected = solver.point_positions() @ rates.T
+    assert np.abs(solver.point_velocities() - expected).max() < 1e-14 * np.abs(expected).max()

@@ -27,6 +27,10 @@ class Increments:
             )
         self.next = largest
 
+    def limit(self) -> None:
+        """Make the next increment no larger than asked for, after it has been set from outside."""
+        self.next = min(self.next, self._largest)
+
     def cut(self, step: float, reason: str) -> float:
         """The smaller increment to try after one of `step` has failed; NoEquilibrium below the smallest."""
         smaller = CUT * step

@@ -6,7 +6,6 @@ or Kirchhoff), to the stress on the yield surface:
     s_1 = s - 2 G de_p,   m_1 = m(ln J_e - dv_p),   plastic strain increments de_p (deviatoric) and dv_p (volume)
 """
 
-import math
 from typing import NamedTuple
 
 from core_models.compilation import beside_kernel, inside_kernel
@@ -14,7 +13,6 @@ from core_models.dispatch import generic
 from core_models.elementary import exponential
 from core_models.laws import evolve_hardening, flow_stress, pressure
 from core_models.status import NOT_CONVERGED, OK
-from core_models.tensors import contract
 
 STEPS_TO_A_STRESS = 80
 FARTHEST = 0.7  # ln J_e within which every mean stress of a solid is looked for
@@ -140,12 +138,6 @@ def strength(flow, problem, increment):
 def allowance(problem, stress, bulk):
     """How far from the surface a return may end [Pa]: the tolerance of a stress, and round-off of the elasticity."""
     return problem.tolerance * stress + ROUND_OFF * (bulk + problem.shear)
-
-
-@inside_kernel
-def second_invariant_root(s):
-    """sqrt(J_2) = sqrt(s:s / 2) of a deviator."""
-    return math.sqrt(0.5 * contract(s, s))
 
 
 @inside_kernel

@@ -18,14 +18,17 @@ class DruckerPrager(NamedTuple):
 
     With kinematic hardening s is that beyond the back stress. sigma_y is the material's flow law: with cohesion_factor
     1 it gives k, with that of `from_friction` the cohesion c. At the apex m = k / (3 alpha), and at the cut-off, the
-    volume grows as it must. I_1 is the trace of the stress, positive in tension.
+    volume grows as it must; at the apex d ep is not less than dv_p / (3 sqrt(3) alpha), which is conjugate to k in the
+    plastic work. I_1 is the trace of the stress, positive in tension.
 
     Parameters
     ----------
-    alpha : friction [-], >= 0. beta : dilation [-], 0 <= beta <= alpha. cohesion_factor : k / sigma_y [-], > 0.
-    tension_cutoff : largest mean stress [Pa], > 0; infinite for none.
+    alpha : friction [-], >= 0, with a caution from 1 / sqrt(3) on, which is that of 90 degrees in compression. beta :
+    dilation [-], 0 <= beta <= alpha. cohesion_factor : k / sigma_y [-], > 0. tension_cutoff : largest mean stress [Pa],
+    > 0; infinite for none.
 
-    Valid with every flow law; hardening and rate are those of the deviatoric plastic strain, as everywhere here.
+    Valid with every flow law; hardening and rate are those of the deviatoric plastic strain, at the apex also of the
+    volume (core_models.yield_condition.apex).
     Source: Drucker & Prager, Q. Appl. Math. 10 (1952) 157; de Souza Neto, Peric & Owen, Computational Methods for
     Plasticity (2008), section 8.3 (return to cone and apex).
     """
@@ -68,6 +71,15 @@ class DruckerPrager(NamedTuple):
                 "energy: give beta <= alpha"
             )
         return ""
+
+    def caution(self) -> str:
+        """What a user of these numbers should know; empty if nothing."""
+        if self.alpha < OVER_ROOT_3:
+            return ""
+        return (
+            f"with alpha = {self.alpha:g}, not below 1 / sqrt(3) = 0.577, pressure in one direction never "
+            "makes it yield: no friction angle is matched in compression"
+        )
 
 
 def _matched(angle: float, fit: str) -> tuple[float, float]:

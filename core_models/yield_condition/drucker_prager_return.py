@@ -2,11 +2,11 @@
 
 With dp = dgamma / sqrt(3) and xi of core_models.yield_condition.shifted:
 
-    cone:       q(xi) / sqrt(3) + 3 alpha m(ln J_e - 3 beta dgamma) = k(dp)
-    elsewhere:  m = M, the apex k / (3 alpha) or the cut-off;   q(xi) / sqrt(3) <= k(dp) - 3 alpha M
+    cone:     q(xi) / sqrt(3) + 3 alpha m(ln J_e - 3 beta dgamma) = k(dp)
+    cut-off:  m = M;   q(xi) / sqrt(3) <= k(dp) - 3 alpha M
+    apex:     q(xi) = 0;   m = k(dp) / (3 alpha) or M;   dp by dgamma or, as core_models.yield_condition.apex says, by
+              the growth of the volume, dv / (3 sqrt(3) alpha)
 """
-
-import math
 
 from core_models.compilation import beside_kernel, inside_kernel
 from core_models.tensors import minus, scaled
@@ -22,12 +22,13 @@ from core_models.updates.general_problem import (
     volume_at,
 )
 from core_models.updates.root import next_guess
+from core_models.yield_condition.apex import Apex, apex_flow
 from core_models.yield_condition.drucker_prager import OVER_ROOT_3, DruckerPrager
 from core_models.yield_condition.shifted import shifted
 
 MAXIMUM_ITERATIONS = 100
-# Regimes: the cone, the cone where the mean stress is the largest, that stress alone.
-CONE, EDGE, PLANE = 1, 2, 3
+# Regimes: the cone, where it meets the cut-off, the cut-off alone; from the last on the kinds of flow at the apex.
+CONE, EDGE, PLANE, APEX = 1, 2, 3, 4
 
 
 @return_stress.register(DruckerPrager)
@@ -46,18 +47,23 @@ def _returned(law, model, flow, problem, size, rows, k):
     hardening, regime = model.kinematic_hardening, CONE
     highest = _without_shear(hardening, problem, size, rows, k)
     converged, gamma, volume, stress, bulk = _on_cone(law, model, flow, problem, size, highest, rows, k)
-    increment = gamma * OVER_ROOT_3
-    cohesion = law.cohesion_factor * strength(flow, problem, increment).stress
-    if not converged or stress > largest_mean(law, cohesion):
-        converged, gamma = _on_edge(law, hardening, flow, problem, highest, rows, k)
-        regime, increment = EDGE if gamma > 0.0 else PLANE, gamma * OVER_ROOT_3
-        cohesion = law.cohesion_factor * strength(flow, problem, increment).stress
-        target, limit = largest_mean(law, cohesion), allowance(problem, cohesion, bulk)
-        volume, stress, bulk = volume_at(model.eos, problem, target, limit)
-        converged = converged and abs(stress - target) <= 10.0 * limit
-    direction = shifted(hardening, problem, increment, rows, k).direction
-    stored = move_back_stresses(hardening, increment, direction, rows, k) if converged else 0.0
-    deviator = minus(problem.trial, scaled(direction, 3.0 * problem.shear * increment))
+    increment = sheared = gamma * OVER_ROOT_3
+    if not converged or stress > law.tension_cutoff:
+        apex, most = apex_of(law), highest * OVER_ROOT_3
+        if strength(flow, problem, most).stress <= apex.friction * apex.cutoff:
+            end = apex_flow(apex, model.eos, flow, problem, most)
+            regime, sheared, increment = APEX + end.kind, most, end.increment
+            converged, volume, stress, bulk = end.converged, end.volume, end.mean_stress, end.bulk
+        else:
+            converged, gamma = _on_edge(law, hardening, flow, problem, highest, rows, k)
+            regime = EDGE if gamma > 0.0 else PLANE
+            increment = sheared = gamma * OVER_ROOT_3
+            limit = allowance(problem, strength(flow, problem, increment).stress * law.cohesion_factor, bulk)
+            volume, stress, bulk = volume_at(model.eos, problem, law.tension_cutoff, limit)
+            converged = converged and abs(stress - law.tension_cutoff) <= 10.0 * limit
+    direction = shifted(hardening, problem, sheared, rows, k).direction
+    stored = move_back_stresses(hardening, sheared, direction, rows, k) if converged else 0.0
+    deviator = minus(problem.trial, scaled(direction, 3.0 * problem.shear * sheared))
     return Returned(
         status_of(converged), regime, deviator, volume, stress, bulk, increment,
         strength(flow, problem, increment).variable, problem.porosity, stored,
@@ -65,16 +71,10 @@ def _returned(law, model, flow, problem, size, rows, k):
 
 
 @inside_kernel
-def largest_mean(law, cohesion):
-    """Largest mean stress: of the cut-off or the apex [Pa]."""
+def apex_of(law):
+    """Apex of the cone: `Apex`."""
     slope = 3.0 * law.alpha
-    return min(law.tension_cutoff, cohesion / slope if slope > 0.0 else math.inf)
-
-
-@inside_kernel
-def is_apex(law, cohesion):
-    """Whether the largest mean stress is that of the apex."""
-    return 3.0 * law.alpha * law.tension_cutoff >= cohesion
+    return Apex(slope / law.cohesion_factor, slope / OVER_ROOT_3, law.tension_cutoff)
 
 
 @inside_kernel
@@ -119,11 +119,12 @@ def _on_cone(law, model, flow, problem, size, highest, rows, k):
         now = strength(flow, problem, gamma * OVER_ROOT_3)
         cohesion = law.cohesion_factor * now.stress
         residual = left + 3.0 * law.alpha * stress - cohesion
-        if abs(residual) <= allowance(problem, cohesion, bulk) or high - low <= 1e-15 * high:
+        is_near = abs(residual) <= allowance(problem, cohesion, bulk)
+        if gamma == highest and residual > 0.0 and not is_near:
+            break
+        if is_near or high - low <= 1e-15 * high:
             return True, gamma, volume, stress, bulk
         if residual > 0.0:
-            if gamma == highest:
-                break
             low = gamma
         else:
             high = gamma
@@ -134,16 +135,14 @@ def _on_cone(law, model, flow, problem, size, highest, rows, k):
 
 @beside_kernel
 def _on_edge(law, hardening, flow, problem, highest, rows, k):
-    """Flow where the mean stress is the largest: root of q(xi) / sqrt(3) - [k - 3 alpha M]."""
-    if is_apex(law, law.cohesion_factor * strength(flow, problem, highest * OVER_ROOT_3).stress):
-        return True, highest
+    """Flow where the cone meets the cut-off: root of q(xi) / sqrt(3) - [k - 3 alpha M], which falls with dgamma."""
     low, high = 0.0, highest
     gamma = 0.0
     for _iteration in range(MAXIMUM_ITERATIONS):
         left, left_slope = _left(hardening, problem, gamma, rows, k)
         now = strength(flow, problem, gamma * OVER_ROOT_3)
         cohesion = law.cohesion_factor * now.stress
-        residual = left - cohesion + 3.0 * law.alpha * largest_mean(law, cohesion)
+        residual = left - max(cohesion - 3.0 * law.alpha * law.tension_cutoff, 0.0)
         is_inside = gamma == 0.0 and residual <= 0.0
         if is_inside or abs(residual) <= allowance(problem, cohesion, 0.0) or high - low <= 1e-15 * high:
             return True, gamma
@@ -151,8 +150,6 @@ def _on_edge(law, hardening, flow, problem, highest, rows, k):
             low = gamma
         else:
             high = gamma
-        slope = left_slope
-        if not is_apex(law, cohesion):
-            slope -= law.cohesion_factor * now.slope * OVER_ROOT_3
+        slope = left_slope - law.cohesion_factor * now.slope * OVER_ROOT_3
         gamma = next_guess(gamma, residual, slope, low, high) if gamma > 0.0 else high
     return False, gamma

@@ -9,14 +9,16 @@ class MohrCoulomb(NamedTuple):
 
     Principal stresses s_1 >= s_2 >= s_3, positive in tension; c is the material's flow law. Flow on each plane follows
     the same expression with the angle of dilation, on the cut-off the normal; at edges the planes flow together, and at
-    the apex s = c cot(friction) the volume grows as it must. Friction 0 is Tresca's condition with sigma_y = 2 c.
+    the apex s = c cot(friction) the volume grows as it must, and d ep is not less than dv_p (3 - sin) / (6 sin) of the
+    friction. Friction 0 is Tresca's condition with sigma_y = 2 c.
 
     Parameters
     ----------
     friction_angle : [degree], 0 <= friction_angle < 90. dilation_angle : [degree], from 0 to the friction angle.
     tension_cutoff : largest principal stress [Pa], > 0; infinite for none.
 
-    Valid with every flow law; hardening and rate are those of the deviatoric plastic strain, as everywhere here.
+    Valid with every flow law; hardening and rate are those of the deviatoric plastic strain, at the apex also of the
+    volume (core_models.yield_condition.apex).
     Source: de Souza Neto, Peric & Owen, Computational Methods for Plasticity (2008), section 8.2.
     """
 

@@ -6,10 +6,10 @@ from core_models.compilation import beside_kernel, inside_kernel
 from core_models.principal_axes import principal, to_principal
 from core_models.tensors import congruence, determinant
 from core_models.updates.general_problem import ELASTIC, NO_STRESS, return_change, strength
+from core_models.yield_condition.apex import apex_change
 from core_models.yield_condition.mohr_coulomb import MohrCoulomb
 from core_models.yield_condition.mohr_coulomb_planes import (
     APEX,
-    DEGREE,
     PLANES,
     dot,
     flow_on,
@@ -19,6 +19,7 @@ from core_models.yield_condition.mohr_coulomb_planes import (
     slopes_of_excess,
     solved,
 )
+from core_models.yield_condition.mohr_coulomb_return import apex_of
 
 CLOSE = 1e-6  # of the largest principal stress: principal values that count as equal
 
@@ -29,20 +30,19 @@ def _(yield_condition, model, flow, problem, returned, rows, k, trial, shear, me
         return trial, mean
     values, axes = principal(problem.trial)
     change = to_principal(trial, axes)
-    if returned.regime == APEX:
-        return NO_STRESS, _apex_change(yield_condition, flow, problem, returned, values, change, shear)
+    if returned.regime >= APEX:
+        return NO_STRESS, _apex_change(yield_condition, flow, problem, returned, values, change, shear, mean)
     return _change(yield_condition, model, flow, problem, returned, values, axes, change, shear, mean)
 
 
-@beside_kernel
-def _apex_change(law, flow, problem, returned, values, change, shear):
-    """Change of the mean stress at the apex, by the hardening of the cohesion."""
-    tangent = math.tan(law.friction_angle * DEGREE)
-    now = strength(flow, problem, returned.increment)
-    if returned.increment == 0.0 or not now.stress < law.tension_cutoff * tangent:
-        return 0.0
-    growth = dot(values, change) / (6.0 * problem.shear * problem.shear * returned.increment)
-    return now.slope / tangent * (growth - returned.increment * shear / problem.shear)
+@inside_kernel
+def _apex_change(law, flow, problem, returned, values, change, shear, mean):
+    """Change of the mean stress at the apex [Pa]."""
+    size, growth = math.sqrt(dot(values, values) / 6.0), 0.0
+    if size > 0.0:
+        growth = dot(values, change) / (6.0 * size * problem.shear)
+    sheared = growth - size / problem.shear * shear / problem.shear
+    return apex_change(apex_of(law), returned.regime - APEX, flow, problem, returned, sheared, mean)
 
 
 @beside_kernel

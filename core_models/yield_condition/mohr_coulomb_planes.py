@@ -15,7 +15,8 @@ MAXIMUM_ITERATIONS = 50
 DEGREE = math.pi / 180.0
 NO_PLANE = -1
 # Planes of the sector s_1 >= s_2 >= s_3: Mohr-Coulomb's 0 (s_1, s_3), 1 (s_1, s_2), 2 (s_2, s_3); the cut-off's 3, 4, 5
-# (s_1, s_2, s_3). Regimes: the planes that may be active together, the most frequent first; after them the apex.
+# (s_1, s_2, s_3). Regimes: the planes that may be active together, the most frequent first; from the one after them on
+# the kinds of flow at the apex.
 PLANES = (
     (0, NO_PLANE, NO_PLANE),
     (0, 1, NO_PLANE),

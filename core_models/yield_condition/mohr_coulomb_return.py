@@ -1,9 +1,14 @@
-"""Return to Mohr and Coulomb's surface: to a plane, an edge, a corner or the apex."""
+"""Return to Mohr and Coulomb's surface: to a plane, an edge, a corner or the apex.
+
+At the apex dp is that of the shear or of the volume, dv (3 - sin) / (6 sin) with the sine of the friction angle
+(core_models.yield_condition.apex), as on the cone that the pyramid's edges of triaxial compression lie on.
+"""
 
 import math
 
 from core_models.compilation import beside_kernel, inside_kernel
 from core_models.principal_axes import from_principal, principal
+from core_models.status import OK
 from core_models.updates.general_problem import (
     NO_STRESS,
     Returned,
@@ -13,8 +18,8 @@ from core_models.updates.general_problem import (
     status_of,
     strength,
     unchanged,
-    volume_at,
 )
+from core_models.yield_condition.apex import Apex, apex_flow
 from core_models.yield_condition.mohr_coulomb import MohrCoulomb
 from core_models.yield_condition.mohr_coulomb_planes import (
     APEX,
@@ -26,6 +31,8 @@ from core_models.yield_condition.mohr_coulomb_planes import (
     shifted_values,
 )
 
+SLACK = 10.0  # of the allowance of a return: how far off order and surface may be
+
 
 @return_stress.register(MohrCoulomb)
 def _(yield_condition, model, flow, problem, rows, k):
@@ -34,7 +41,11 @@ def _(yield_condition, model, flow, problem, rows, k):
     cohesion = strength(flow, problem, 0.0).stress
     if _largest_excess(yield_condition, shifted_values(values, stress), cohesion) <= 0.0:
         return unchanged(problem, stress, bulk)
-    return _search(yield_condition, model, flow, problem, values, axes)
+    # Round-off of the mean stress hides neither order nor direction of the flow, unless nothing else is found.
+    returned = _search(yield_condition, model, flow, problem, values, axes, True)
+    if returned.status != OK:
+        returned = _search(yield_condition, model, flow, problem, values, axes, False)
+    return returned
 
 
 @inside_kernel
@@ -44,15 +55,21 @@ def _largest_excess(law, stress, cohesion):
 
 
 @beside_kernel
-def _search(law, model, flow, problem, values, axes):
-    """The first set of active planes whose return ends on the surface with principal stresses in order, or the apex."""
+def _search(law, model, flow, problem, values, axes, is_strict):
+    """The first set of active planes whose return ends on the surface with principal stresses in order, or the apex.
+
+    is_strict : whether round-off of the mean stress may not hide the order of the stresses, nor flow backwards.
+    """
     for regime in range(1, APEX):
         planes = PLANES[regime - 1]
         if planes[0] >= 3 and law.tension_cutoff == math.inf:
             break
         converged, gammas, now, increment, limit = flow_on(law, model, flow, problem, values, planes)
         cohesion = strength(flow, problem, increment)
-        if converged and _is_admissible(law, problem, gammas, now.stress, cohesion.stress, 10.0 * limit):
+        slack = SLACK * limit
+        order = allowance(problem, cohesion.stress, abs(now.mean_stress)) if is_strict else slack
+        is_on = _largest_excess(law, now.stress, cohesion.stress) <= slack
+        if converged and is_on and _is_ordered(problem, gammas, now.stress, order):
             m = now.mean_stress
             deviator = from_principal(shifted_values(now.stress, -m), axes)
             return Returned(
@@ -63,30 +80,27 @@ def _search(law, model, flow, problem, values, axes):
 
 
 @inside_kernel
-def _is_admissible(law, problem, gammas, stress, cohesion, limit):
-    """Whether a return has flowed forwards, kept the order of the principal stresses and ended on the surface."""
+def _is_ordered(problem, gammas, stress, limit):
+    """Whether a return has kept the order of the principal stresses and flowed forwards."""
     is_ordered = stress[0] - stress[1] >= -limit and stress[1] - stress[2] >= -limit
-    is_forward = min(gammas[0], gammas[1], gammas[2]) >= -limit / problem.shear
-    return is_ordered and is_forward and _largest_excess(law, stress, cohesion) <= limit
+    return is_ordered and min(gammas[0], gammas[1], gammas[2]) >= -limit / problem.shear
 
 
 @beside_kernel
 def _apex(law, model, flow, problem, values):
     """Return to the point where all principal stresses are equal."""
-    increment = math.sqrt(dot(values, values) / 6.0) / problem.shear
-    now = strength(flow, problem, increment)
-    target = _apex_stress(law, now.stress)
-    limit = allowance(problem, now.stress, mean_stress(model.eos, problem, problem.volume)[1])
-    volume, stress, bulk = volume_at(model.eos, problem, target, limit)
-    converged = abs(stress - target) <= 10.0 * limit and volume <= problem.volume
+    sheared = math.sqrt(dot(values, values) / 6.0) / problem.shear
+    end = apex_flow(apex_of(law), model.eos, flow, problem, sheared)
     return Returned(
-        status_of(converged), APEX, NO_STRESS, volume, stress, bulk, increment, now.variable,
+        status_of(end.converged and end.volume <= problem.volume), APEX + end.kind, NO_STRESS, end.volume,
+        end.mean_stress, end.bulk, end.increment, strength(flow, problem, end.increment).variable,
         problem.porosity, 0.0,
     )  # fmt: skip
 
 
 @inside_kernel
-def _apex_stress(law, cohesion):
-    """Largest mean stress [Pa]."""
-    tangent = math.tan(law.friction_angle * DEGREE)
-    return min(law.tension_cutoff, cohesion / tangent if tangent > 0.0 else math.inf)
+def apex_of(law):
+    """Apex of the pyramid: `Apex`. The edges of triaxial compression grow most: g = 6 sin / (3 - sin)."""
+    angle = law.friction_angle * DEGREE
+    sine = math.sin(angle)
+    return Apex(math.tan(angle), 6.0 * sine / (3.0 - sine), law.tension_cutoff)

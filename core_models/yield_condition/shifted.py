@@ -34,10 +34,9 @@ def shifted(hardening, problem, increment, rows, k):
 
 
 @inside_kernel
-def shifted_before(hardening, problem, returned, rows, k):
-    """The same at the end of a return, which has moved the back stresses."""
-    increment = returned.increment
-    direction = scaled(minus(problem.trial, returned.deviator), 1.0 / (3.0 * problem.shear * increment))
+def shifted_before(hardening, problem, deviator, increment, rows, k):
+    """The same at the end of a return to a deviator, which has moved the back stresses."""
+    direction = scaled(minus(problem.trial, deviator), 1.0 / (3.0 * problem.shear * increment))
     rest, falling = recovered_before(hardening, increment, direction, rows, k)
     return _seen(hardening, problem, increment, rest, falling)
 
@@ -53,9 +52,17 @@ def _seen(hardening, problem, increment, rest, falling):
 
 
 @inside_kernel
-def shifted_change(now, trial, spin):
+def shifted_change(rest, trial, spin):
     """Change of xi_trial at a constant increment, with that of the trial stress and the spin of the back stresses."""
-    return minus(trial, scaled(minus(now.rest, slightly_turned(now.rest, spin)), 2.0))
+    return minus(trial, scaled(minus(rest, slightly_turned(rest, spin)), 2.0))
+
+
+@inside_kernel
+def change_without_shift(hardening, problem, rows, k, trial, spin):
+    """Change of the deviator where xi_trial is 0 and none may be left: what the back stresses take of it."""
+    shift = shifted_change(recovered(hardening, 0.0, rows, k)[0], trial, spin)
+    stiffness = 3.0 * problem.shear
+    return minus(trial, scaled(shift, stiffness / (stiffness + reach(hardening, 0.0)[1])))
 
 
 @inside_kernel

@@ -78,8 +78,8 @@ def _(yield_condition, model, flow, problem, returned, rows, k, trial, shear, me
     if returned.regime == ELASTIC:
         return trial, mean
     increment = returned.increment
-    now = shifted_before(model.kinematic_hardening, problem, returned, rows, k)
-    shift = shifted_change(now, trial, spin)
+    now = shifted_before(model.kinematic_hardening, problem, returned.deviator, increment, rows, k)
+    shift = shifted_change(now.rest, trial, spin)
     stiffness = 3.0 * problem.shear + strength(flow, problem, increment).slope - now.slope
     growth = (1.5 * contract(now.direction, shift) - 3.0 * increment * shear) / stiffness
     return deviator_change(now, problem, increment, shift, trial, shear, growth), mean

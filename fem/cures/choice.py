@@ -51,13 +51,13 @@ def find_cure(name: str | None, kind: str, integration: str) -> str:
     )
 
 
-def make_cure(name: str, mesh: Mesh, space: Space) -> Cure:
-    """The cure of that name, as `find_cure` returns it, for a mesh."""
+def make_cure(name: str, mesh: Mesh, space: Space, share: float) -> Cure:
+    """The cure of that name, as `find_cure` returns it, for a mesh; share : see `fem.cures.own_share`."""
     if name == MEAN:
-        return MeanDilatation()
+        return MeanDilatation(share)
     if name == LINEAR:
         places = np.einsum("qa,eai->eqi", space.shape, mesh.points[mesh.cells])
-        return linear_dilatation(places, space.tables.weights)
+        return linear_dilatation(places, space.tables.weights, share)
     if name == NODAL:
         return NodalAverage(np.ones((len(mesh.points), 2)))
     return None

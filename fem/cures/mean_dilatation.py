@@ -6,7 +6,9 @@ softly, by 0.5 % of the length of the classic Taylor bar; a linear volume ratio 
 
 Its part of the stiffness is of rank one, so its part of the stable step is known exactly (`fem.stable_step`):
 
-    omega^2 <= K / V sum_a |b_a|^2 / m_a + max_q 2 G min(lambda, 2/3 tr h),   b_a = sum_q w J g_a
+    omega^2 <= (1 - share^2) K / V sum_a |b_a|^2 / m_a + max_q [share^2 K tr h + 2 G min(lambda, 2/3 tr h)],
+
+    b_a = sum_q w J g_a
 
 with g_a the current gradients of the shape functions; in the axisymmetric body the hoop's share is in b_r.
 """
@@ -17,11 +19,13 @@ from core_models.dispatch import generic
 from core_models.geometry import Axisymmetric, PlaneStrain, Spatial
 from fem.cures.projection import PROJECTED, project
 from fem.elements import nodes_of, points_of
-from fem.stable_step import SPREAD, VOLUME, bulk_part, shear_part, square_frequency
+from fem.stable_step import SPREAD, TRACE, VOLUME, bulk_part, shear_part, square_frequency
 
 
 class MeanDilatation(NamedTuple):
-    """theta = sum_q w_q J_q / sum_q w_q in each element; the mean stress likewise."""
+    """theta_q = (1 - share) sum_k w_k J_k / sum_k w_k + share J_q in each element; the mean stress likewise."""
+
+    share: float
 
 
 @project.register(MeanDilatation)
@@ -30,22 +34,23 @@ def _(cure, element, tables, e, scratch, column):
     for q in range(points_of(element)):
         total += tables.weights[e, q] * scratch[q, column]
         reference += tables.weights[e, q]
-    mean = total / reference
+    mean = (1.0 - cure.share) * total / reference
     for q in range(points_of(element)):
-        scratch[q, PROJECTED + column] = mean
+        scratch[q, PROJECTED + column] = mean + cure.share * scratch[q, column]
 
 
 @square_frequency.register(MeanDilatation)
 def _(cure, geometry, element, tables, metric, scratch, e, corner_mass, shear):
-    bulk, deviatoric, volume, mode = 0.0, 0.0, 0.0, 0.0
+    bulk, apart, volume, mode, kept = 0.0, 0.0, 0.0, 0.0, cure.share * cure.share
     for q in range(points_of(element)):
-        bulk = max(bulk, bulk_part(scratch, q, shear))
-        deviatoric = max(deviatoric, shear_part(scratch, q, shear))
+        own = bulk_part(scratch, q, shear)
+        bulk = max(bulk, own)
+        apart = max(apart, kept * own * scratch[q, TRACE] + shear_part(scratch, q, shear))
         volume += scratch[q, VOLUME]
     for a in range(nodes_of(element)):
         free = metric.free[tables.nodes[e, a]]
         mode += square_divergence(geometry, element, tables, scratch, e, a, free) / corner_mass[e, a]
-    return bulk * mode / volume + deviatoric
+    return (1.0 - kept) * bulk * mode / volume + apart
 
 
 @generic

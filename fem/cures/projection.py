@@ -7,6 +7,8 @@ with respect to the reference weights, w_q P_qk = w_k P_kq. Then the virtual wor
   = sum_q [w_q theta_q s_q + w_q J_q (P p)_q 1] : grad du
 
 so the nodal forces, with the mean stress replaced by P p, are the exact gradient of an energy that depends on Fbar.
+Of elements with more points than modes of P, P leaves every point a share of its own volume ratio, which breaks none of
+this: P = (1 - share) P0 + share, where P0 projects on the modes. See `fem.cures.own_share`.
 Source: Simo, Taylor & Pister, Comput. Methods Appl. Mech. Eng. 51 (1985) 177, for the element's mean.
 """
 

@@ -21,13 +21,13 @@ from core_models.points import MaterialPoints
 from core_models.threads import Threads
 from fem.body import Body
 from fem.cures.choice import NODAL, cures_of, find_cure, make_cure
+from fem.cures.own_share import check_own_share, default_share
 from fem.elements import FULL, is_one_point_brick
 from fem.external import ExternalForces
 from fem.hourglass import DEFAULT
 from fem.implicit.conduction import ImplicitConduction
 from fem.implicit.frequency import lowest_frequency
 from fem.implicit.path import Path, make_measure
-from fem.implicit.spurious_modes import refuse_spurious_modes
 from fem.implicit.system import ElementSystem
 from fem.shape_readout import ShapeReadout
 from fem.supports import Supports
@@ -41,9 +41,10 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
 
     Parameters
     ----------
-    mesh, material, geometry, temperature, loads, threads, conduction, integration, cure : as `fem.ExplicitSolver` takes
-    them, but for nodal averages and one-point quads and hexahedra, which have no tangent here, and Damping, which is
-    dynamic. Heat is conducted after each increment, by backward Euler.
+    mesh, material, geometry, temperature, loads, threads, conduction, integration, cure, own_share : as
+    `fem.ExplicitSolver` takes them, but for nodal averages and one-point quads and hexahedra, which have no tangent
+    here, and Damping, which is dynamic; own_share is None for 0.1 in quadratic elements but in plane strain, else 0.
+    Heat is conducted after each increment, by backward Euler.
     increment : of time to take [s], > 0; it is cut on failure, and grows again on ease. smallest : below it the run
     gives up [s]; by default 1e-6 of the increment.
     tolerance : on the residual, relative to all forces on nodes, above 1e-12, up to 1e-3. iterations : allowed
@@ -76,6 +77,7 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
         threads: int = 1,
         integration: str = FULL,
         cure: str | None = None,
+        own_share: float | None = None,
         smallest: float | None = None,
         tolerance: float = 1e-8,
         iterations: int = 20,
@@ -95,16 +97,20 @@ class ImplicitSolver(RestartableIncrements, ShapeReadout, QuasiStatic):
         self.material = material
         self.cure = find_cure(cure, mesh.kind, integration)
         _refuse_without_tangent(mesh.kind, integration, self.cure)
-        refuse_spurious_modes(self.mesh, self.geometry, material, self.cure)
         self.threads = Threads(threads)
-        self._body = Body(self.mesh, material, self.geometry, integration, self.cure, DEFAULT, self.threads)
+        share = default_share(mesh.kind, self.cure, self.geometry)
+        if own_share is not None:
+            share = check_own_share(own_share, self.cure)
+        self._body = Body(
+            self.mesh, material, self.geometry, integration, self.cure, share, DEFAULT, self.threads
+        )
         self.mass = float(self._body.nodal_mass.sum())
         volumes = self._body.space.tables.weights.ravel()
         self.points = MaterialPoints(material, volumes, temperature, None, self.threads, conduction)
         planes = symmetry_planes(loads, self.mesh, self.geometry)
         self.points.connect(self.reference_positions, self.geometry, planes)
         supports = Supports(loads, self.mesh, self.geometry)
-        projection = make_cure(self.cure, self.mesh, self._body.space)
+        projection = make_cure(self.cure, self.mesh, self._body.space, share)
         self._loads = tuple(loads)
         system = ElementSystem(
             self.mesh, self.geometry, self._body, projection, self.points, material, supports, self._loads,

@@ -26,7 +26,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def execute(options: argparse.Namespace) -> int:
     """Print the speed table."""
-    from studies.bench import bench_record, bench_text
+    from studies.bench.speeds import bench_record, bench_text
     from studies.json_output import json_text
 
     asked = (options.points, options.threads)

@@ -61,10 +61,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def execute(options: argparse.Namespace) -> int:
     """Drive the point, print, write."""
-    from studies.drive_files import check_files, write_files
-    from studies.drive_record import drive_record
-    from studies.drive_text import drive_text
-    from studies.driving import asked_test, carry_out
+    from studies.drive.driving import asked_test, carry_out
+    from studies.drive.files import check_files, write_files
+    from studies.drive.record import drive_record
+    from studies.drive.text import drive_text
     from studies.json_output import json_text
 
     check_files(options.csv, options.plot, options.out)

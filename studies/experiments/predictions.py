@@ -9,7 +9,7 @@ from core_models.cards import shipped_materials
 from core_models.cards.reader import read_material
 from core_models.errors import RunFailure
 from studies import profile
-from studies.bar_shape import foot_height
+from studies.bar.shape import foot_height
 from studies.experiments.shots import Shot, read_shots
 from studies.run_result import RunResult
 from studies.running import simulate

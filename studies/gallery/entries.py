@@ -53,8 +53,8 @@ def _measured() -> Shown:
 
 
 def _rate_jump() -> Shown:
-    from studies.drive_plot import write_plot
-    from studies.driving import asked_test, carry_out
+    from studies.drive.driving import asked_test, carry_out
+    from studies.drive.plot import write_plot
 
     nothing = dict.fromkeys(("cycles", "hold", "temperature", "update", "laws"))
     asked = Namespace(

@@ -2,9 +2,9 @@
 
 from studies.bar_necking import at_elongation
 from studies.necking.curves import read_curve
+from studies.necking.run import NeckingRun
 from studies.necking.scene import STRIP, NeckingScene
 from studies.necking.verdicts import SCALES, Runs, criteria_of, limits_table, shown_name, value_of
-from studies.necking_methods import NeckingRun
 from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
 from studies.verification.variant import FEM, MPM
 

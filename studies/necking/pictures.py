@@ -1,12 +1,14 @@
 """Final shapes of necked bodies side by side, coloured by plastic strain."""
 
+import math
+
 from core_models.errors import UnsupportedError
 from studies.necking.scene import NeckingScene
 from studies.necking.verdicts import Runs
 from studies.report.drawing import INK, as_svg, drawing
 
 MILLIMETRES = 1e3
-ACROSS = 3  # pictures in a row
+ACROSS = 3  # pictures in a row at most; rows are alike
 WIDTH, HEIGHT = 1.7, 3.4  # inches, of each
 
 
@@ -14,9 +16,11 @@ def final_shapes(scene: NeckingScene, runs: Runs) -> list[str]:
     """Pictures of the final shapes as SVG elements, some in each; none without matplotlib."""
     shown = [plan for plan in scene.runs if plan.name in runs and plan.taper is None]
     try:
+        rows = max(math.ceil(len(shown) / ACROSS), 1)
+        across = max(math.ceil(len(shown) / rows), 1)
         return [
-            _row(scene, [(plan.name, runs[plan.name]) for plan in shown[i : i + ACROSS]], i)
-            for i in range(0, len(shown), ACROSS)
+            _row(scene, [(plan.name, runs[plan.name]) for plan in shown[i : i + across]], i)
+            for i in range(0, len(shown), across)
         ]
     except UnsupportedError:
         return []

@@ -3,7 +3,7 @@
 <necking name="..." title="...">
   <description>...</description>  <source>...</source>
   <material card="steel_weldox_460e_johnson_cook"/>    a shipped card, or a whole card of core_models.cards
-  <round_bar radius="" length="" taper="" end="free|held"/>  or <strip ...>, radius: half the width
+  <round_bar radius="" length="" taper="" end="free|held"/>  or <square_bar ...>, <strip ...>, radius: half the width
   <pull distance="" duration=""/>                      of each end
   <run name="" method="" across="" along="" .../>      any number; other attributes: see `PlannedRun`, and options of
                                                        the solver: integration, cure, tolerance, interpolation, ...
@@ -32,14 +32,17 @@ from core_models.cards import (
     refusal,
     shipped_materials,
 )
-from core_models.errors import SceneError
+from core_models.errors import MeshError, SceneError
 from core_models.flow.voce import Voce
 from core_models.material import Material
 from core_models.names import suggestion
 from studies.bar_necking import QUANTITIES, NeckingHistory
+from studies.necking.bodies import check_kind
+from studies.necking.methods import DELETE, IMPLICIT, METHODS
 from studies.necking.scene import (
     COUNTS,
     ROUND_BAR,
+    SQUARE_BAR,
     STRIP,
     Agreement,
     Check,
@@ -52,7 +55,6 @@ from studies.necking.scene import (
     PlannedRun,
     UniformPeak,
 )
-from studies.necking_methods import DELETE, IMPLICIT, METHODS, OPTIONS
 from studies.scene_attributes import (
     choice,
     local_file,
@@ -61,14 +63,15 @@ from studies.scene_attributes import (
     required_text,
 )
 from studies.shipped_scenes import SCENES_FOLDER
+from studies.solver_options import SOLVER_OPTIONS
 
 FOLDER = SCENES_FOLDER / "necking"
-BODIES = {"round_bar": ROUND_BAR, "strip": STRIP}
+BODIES = {"round_bar": ROUND_BAR, "square_bar": SQUARE_BAR, "strip": STRIP}
 CHECKS = ("expect", "agree", "near", "same_limit", "newton", "uniform_peak")
 REPEATABLE = ("run", "curve", *CHECKS)
 TAGS = ("description", "source", "material", *BODIES, "pull", *REPEATABLE)
-WORDS = ("integration", "cure", "interpolation", "transfer", "seeding")
-NUMBERS = ("tolerance", "hourglass", "ghost", "cfl")
+OPTIONS = tuple({name: None for options in SOLVER_OPTIONS.values() for name in options})
+CHANGEABLE = ("increments", "tolerance", "note", "quick", "extra")
 
 
 def necking_scenes() -> dict[str, Path]:
@@ -106,7 +109,7 @@ def read_necking_scene(name: str | Path) -> NeckingScene:
         title=root.get("title", required_text(root, "name")),
         description=_words(root, "description"),
         source=_words(root, "source"),
-        runs=tuple(_run(element) for element in root.findall("run")),
+        runs=tuple(_run(element, BODIES[bodies[0]]) for element in root.findall("run")),
         curves=tuple(_curve(element, folder) for element in root.findall("curve")),
     )
     _refuse_twins(root, scene.runs)
@@ -114,10 +117,16 @@ def read_necking_scene(name: str | Path) -> NeckingScene:
 
 
 def fingerprint(name: str | Path) -> str:
-    """Hash of what the runs of a scene are made from: another for another material, body, pull or run."""
+    """Hash of what the runs of a scene are made from: another for another material, body, pull or run.
+
+    What a run may go on with in another way is no part of it: increments, tolerance, and what is said of it.
+    """
     digest = hashlib.sha256()
     for element in load_document(_find(name), ()):
         if element.tag in ("material", *BODIES, "pull", "run"):
+            if element.tag == "run":
+                for attribute in CHANGEABLE:
+                    element.attrib.pop(attribute, None)
             digest.update(etree.tostring(element, method="c14n", with_comments=False))
     return digest.hexdigest()[:16]
 
@@ -155,14 +164,12 @@ def _material(element: etree._Element) -> Material:
     return read_material(cards[choice(element, "card", tuple(cards))]).material
 
 
-def _run(element: etree._Element) -> PlannedRun:
+def _run(element: etree._Element, body: str) -> PlannedRun:
     plain = {each.name: each.type for each in fields(PlannedRun) if each.name != "options"}
-    check_attributes(element, (*plain, *WORDS, *NUMBERS))
+    check_attributes(element, (*plain, *OPTIONS))
     method = choice(element, "method", tuple(METHODS))
-    for name in (*WORDS, *NUMBERS):
-        if element.get(name) is not None and name not in OPTIONS[method]:
-            valid = ", ".join(OPTIONS[method])
-            raise refusal(element, f"{method} has no option {name}", f"it has {valid}", SceneError)
+    if element.get("body") is not None:
+        choice(element, "body", tuple(BODIES.values()))
     if element.get("erosion") is not None:
         choice(element, "erosion", (DELETE,))
     given: dict[str, Any] = {}
@@ -175,18 +182,32 @@ def _run(element: etree._Element) -> PlannedRun:
             given[name] = _whole(element, name)
         elif kind in (str, str | None):
             given[name] = required_text(element, name)
-        elif name in ("grading", "duration"):
+        elif name in ("grading", "duration", "radius"):
             given[name] = _above_zero(element, name)
         else:
             given[name] = required_number(element, name)
-    options: dict[str, str | float] = {name: element.get(name) for name in WORDS if element.get(name)}
-    options |= {name: required_number(element, name) for name in NUMBERS if element.get(name)}
     for name in ("name", "across", "along", *(("increments",) if method in IMPLICIT else ())):
         required_text(element, name)
     for name in ("periods", "damage_radius"):
         if given.get(name, 0.0) < 0.0:
             raise refusal(element, f'{name}="{given[name]:g}"', "write a number from 0", SceneError)
-    return PlannedRun(**given, options=options)
+    plan = PlannedRun(**given, options=_options(element, method))
+    try:
+        check_kind(plan.body or body, plan.kind)
+    except (MeshError, SceneError) as error:
+        raise refusal(element, str(error), 'change kind="..."', SceneError) from None
+    return plan
+
+
+def _options(element: etree._Element, method: str) -> dict[str, str | float]:
+    given, known = [name for name in OPTIONS if name in element.attrib], SOLVER_OPTIONS[method]
+    for name in given:
+        if name not in known:
+            raise refusal(element, f"{method} has no option {name}", "it has " + ", ".join(known), SceneError)
+    return {
+        name: choice(element, name, known[name]) if known[name] else required_number(element, name)
+        for name in given
+    }
 
 
 def _above_zero(element: etree._Element, name: str) -> float:

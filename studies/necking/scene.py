@@ -5,7 +5,8 @@ from pathlib import Path
 
 from core_models.material import Material
 
-ROUND_BAR, STRIP = "round-bar", "strip"
+ROUND_BAR, SQUARE_BAR, STRIP = "round-bar", "square-bar", "strip"
+USUAL = "quad4"
 COUNTS = ("cuts", "kinetic_share", "strained_share")
 """Quantities of a run that are not of its history."""
 
@@ -17,10 +18,11 @@ class PlannedRun:
     name : in the scene. method : of `studies.necking.methods`. across, along : elements, for material points cells, in
     the radius and along the half; grading : size at the neck over that at the end. kind : of the elements.
     increments : of an implicit run. periods : of the lowest natural mode that an explicit one takes, 0 for the real
-    time and density. conduction : whether heat is conducted. taper, update, duration, damage_radius : in place of the
-    scene's, damage_radius 0 for local damage; erosion 'delete': failed points are out, which an
+    time and density. conduction : whether heat is conducted. body, radius, taper, update, duration, damage_radius : in
+    place of the scene's, damage_radius 0 for local damage; erosion 'delete': failed points are out, which an
     equilibrium cannot bear. options : of the solver.
-    quick : whether `--quick` makes it. note : said of it in the report.
+    quick : whether `--quick` makes it; extra : whether it is made only when asked for by name. note : said of it in the
+    report.
     """
 
     name: str
@@ -28,9 +30,11 @@ class PlannedRun:
     across: int
     along: int
     grading: float = 1.0
-    kind: str = "quad4"
+    kind: str = USUAL
     increments: int = 0
     periods: float = 0.0
+    body: str | None = None
+    radius: float | None = None
     taper: float | None = None
     update: str | None = None
     duration: float | None = None
@@ -39,12 +43,19 @@ class PlannedRun:
     erosion: str | None = None
     options: dict[str, str | float] = field(default_factory=dict)
     quick: bool = False
+    extra: bool = False
     note: str = ""
+
+    @property
+    def solver_options(self) -> dict[str, str | float | bool]:
+        """Arguments of the solver."""
+        return {**self.options, "conduction": True} if self.conduction else dict(self.options)
 
     @property
     def label(self) -> str:
         """Name, mesh and, of an implicit run, its increments."""
-        mesh = f"{self.across} × {self.along}" + ("" if self.grading == 1.0 else f" graded {self.grading:g}")
+        mesh = f"{self.across} × {self.along}" + ("" if self.kind == USUAL else f" {self.kind}")
+        mesh += "" if self.grading == 1.0 else f" graded {self.grading:g}"
         return f"{self.name}, {mesh}" + (f", {self.increments} increments" if self.increments else "")
 
 
@@ -95,7 +106,7 @@ class Limits:
 
 @dataclass(frozen=True)
 class NewtonOrder:
-    """The median order of Newton's method in the corrections that qualify must be so high."""
+    """The order of Newton's method must be so high in all attempts that qualify."""
 
     run: str
     least: float
@@ -125,8 +136,9 @@ class NeckingCurve:
 class NeckingScene:
     """A body pulled at both ends, of which half is simulated.
 
-    body : 'round-bar' or 'strip', of which radius is half the width. radius, length (of the half), pull (of each end)
-    [m]; taper: radius at the neck over that at the end; held: whether the ends cannot contract; duration [s].
+    body : 'round-bar', 'square-bar' or 'strip'; of the latter two radius is half the width. radius, length (of the
+    half), pull (of each end) [m]; taper: radius at the neck over that at the end; held: whether the ends cannot
+    contract; duration [s].
     """
 
     name: str

@@ -1,7 +1,6 @@
 """What a necking scene must show, checked on its runs."""
 
 from collections.abc import Mapping
-from statistics import median
 
 import numpy as np
 
@@ -9,6 +8,7 @@ from studies.bar_necking import quantity, uniform_peak
 from studies.convergence import extrapolate
 from studies.material_finder import with_update
 from studies.necking.curves import read_curve
+from studies.necking.run import NeckingRun
 from studies.necking.scene import (
     COUNTS,
     Agreement,
@@ -21,7 +21,6 @@ from studies.necking.scene import (
     PlannedRun,
     UniformPeak,
 )
-from studies.necking_methods import NeckingRun
 from studies.verification.outcome import Criterion, Table
 
 Runs = Mapping[str, NeckingRun]
@@ -138,12 +137,9 @@ def _same_limit(check: Limits, scene: NeckingScene, runs: Runs) -> Criterion:
 
 def _newton(check: NewtonOrder, scene: NeckingScene, runs: Runs) -> Criterion:
     orders = runs[check.run].orders
-    lowest = f" (lowest {min(orders):.2f})" if orders else ""
-    what = (
-        f"Newton's order, median of {len(orders)} attempts that qualify{lowest}, {_label(scene, check.run)}"
-    )
+    what = f"Newton's order, lowest of {len(orders)} attempts that qualify, {_label(scene, check.run)}"
     reason = "no attempt has three corrections with the same flowing points"
-    return Criterion(what, median(orders) if orders else None, check.least, reason=reason)
+    return Criterion(what, min(orders, default=None), check.least, reason=reason)
 
 
 def _uniform_peak(check: UniformPeak, scene: NeckingScene, runs: Runs) -> Criterion:

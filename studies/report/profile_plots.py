@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from studies.bar_shape import standing
+from studies.bar.shape import standing
 from studies.comparison import Comparison
 from studies.curves import read_curve
 from studies.methods import find_method

@@ -15,7 +15,7 @@ class Case:
 
     build : makes the solver of a variant (studies.variants). end : time to run to [s]; steps : most steps, quickly a
     tenth of them. factor : by which every stable step is multiplied.
-    drift : of the energy that is allowed.
+    drift : of the energy that is allowed. implicit : whether it is one of increments, for implicit variants.
     """
 
     name: str
@@ -25,3 +25,4 @@ class Case:
     steps: int = 60_000
     factor: float = 1.0
     drift: float = LARGEST_DRIFT
+    implicit: bool = False

@@ -2,6 +2,7 @@
 
 import logging
 import math
+import time
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -17,7 +18,9 @@ WATCH = 50  # looks at the body in a run
 
 @dataclass
 class Cell:
-    """How a case went: verdict, why; steps, time [s]; largest energy error, smallest J and step [s], redone steps."""
+    """How a case went: verdict, why; steps, time [s]; largest energy error, smallest J and step [s], redone steps;
+    processor time [s] with compiling.
+    """
 
     case: str
     variant: str
@@ -29,6 +32,7 @@ class Cell:
     smallest_ratio: float = 1.0
     smallest_step: float = math.inf
     redone: int = 0
+    seconds: float = 0.0
 
 
 class _Redone(logging.Handler):
@@ -44,11 +48,12 @@ class _Redone(logging.Handler):
 
 def run_cell(case: Case, variant: str, quick: bool) -> Cell:
     """Run a case by a variant; typed errors are refusals, whatever else happens is a failure."""
-    cell, redone = Cell(case.name, variant), _Redone()
+    cell, redone, start = Cell(case.name, variant), _Redone(), time.process_time()
     logger = logging.getLogger("core_models.redo")
     level = logger.level
     logger.addHandler(redone)
     logger.setLevel(logging.INFO)
+    solver = None
     try:
         solver = case.build(variant)
         _advance(case, solver, cell, case.steps // QUICKLY if quick else case.steps)
@@ -60,7 +65,9 @@ def run_cell(case: Case, variant: str, quick: bool) -> Cell:
     finally:
         logger.removeHandler(redone)
         logger.setLevel(level)
-    cell.redone = redone.count
+    if solver is not None and cell.verdict == REFUSED:
+        _look(solver, cell)
+    cell.redone, cell.seconds = redone.count, time.process_time() - start
     if cell.verdict == STABLE and not cell.drift <= case.drift:
         cell.verdict, cell.why = FAILED, f"the energy is off by {100.0 * cell.drift:.3g} %"
     elif cell.verdict == STABLE and cell.redone:

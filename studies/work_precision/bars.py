@@ -3,8 +3,8 @@
 from dataclasses import replace
 from typing import Any
 
-from studies.bar_outline import bar_outline
-from studies.bar_shape import foot_radius, length
+from studies.bar.outline import bar_outline
+from studies.bar.shape import foot_radius, length
 from studies.methods import build_solver
 from studies.scene import End, Scene
 from studies.scene_reader import read_scene

@@ -6,9 +6,9 @@ from typing import Any
 
 from core_models.errors import RunFailure
 from studies.bar_necking import quantity
+from studies.necking.methods import IMPLICIT, METHODS, pulled
 from studies.necking.reader import read_necking_scene
 from studies.necking.scene import NeckingScene, PlannedRun
-from studies.necking_methods import IMPLICIT, METHODS, pulled
 from studies.variants import KIND, WORDS, Variant, read_variant
 from studies.work_precision.problem import Reference, WorkProblem
 

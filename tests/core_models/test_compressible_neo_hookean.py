@@ -156,6 +156,7 @@ def test_no_wave_is_faster_than_the_wave_speed(moduli):
         assert 0.98 * fastest < one_step(solid(*moduli), f).wave_speed[1] < 1.15 * fastest
 
 
+@pytest.mark.usefixtures("interpreted")
 def test_bulk_viscosity_is_the_shared_one():
     """q = rho h |tr d| (0.06 c + 1.44 h |tr d|) in compression, its work beside that of the stress; none in tension."""
     ratio, dt, length = 0.999, 1e-3, 0.1
@@ -187,6 +188,7 @@ def test_points_carry_a_stress_and_with_conduction_a_temperature():
     assert np.all(warm.old.temperature == 350.0)
 
 
+@pytest.mark.usefixtures("interpreted")
 def test_a_step_without_end_is_one_at_rest():
     """A step of infinite duration brings points to a deformation at no rate: no viscous pressure, the same stress."""
     f = principal_stretches([0.9], [0.95], [1.0])

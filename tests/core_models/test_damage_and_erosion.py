@@ -95,6 +95,7 @@ def test_damage_without_erosion_is_reported_and_does_not_act(pool):
     assert history.stress[-1, 0] - history.stress[-1, 1] > 3e8
 
 
+@pytest.mark.usefixtures("interpreted")
 def test_erosion_acts_from_the_step_after_failure(hot_copper):
     """A point with zero-stress erosion carries no stress once its damage has reached 1, and its strength until then."""
     material = hot_copper("hypo", "jc", erosion=ZeroStress())

@@ -59,6 +59,7 @@ def test_wave_speed_is_that_of_compressed_metal(pool):
     assert np.all(np.diff(history.wave_speed) > 100.0)
 
 
+@pytest.mark.usefixtures("interpreted")
 def test_viscosity_needs_its_length(pool):
     """The viscous pressure grows with the characteristic length."""
     path = uniaxial_strain([1.0, 0.99])

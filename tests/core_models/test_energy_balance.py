@@ -103,6 +103,7 @@ def test_dissipation_is_strength_times_plastic_strain(pool):
     assert history.plastic == pytest.approx(400e6 * strain + 50e6 * strain**2, rel=1e-4, abs=1.0)
 
 
+@pytest.mark.usefixtures("interpreted")
 def test_viscous_work_is_energy_not_heat(pool):
     """Bulk viscosity acts in compression only; its work enters the internal energy, not the temperature."""
     stretch = np.concatenate([np.linspace(1.0, 0.95, 51), np.linspace(0.95, 1.0, 51)[1:]])
@@ -117,6 +118,7 @@ def test_viscous_work_is_energy_not_heat(pool):
     assert heat == pytest.approx(0.9 * history.plastic, rel=1e-9, abs=1e-3)
 
 
+@pytest.mark.usefixtures("interpreted")
 def test_viscous_pressure_has_the_stated_size(pool):
     """q = rho h |tr d| (0.06 c + 1.44 h |tr d|), with the wave speed of the point."""
     ratio, dt, length = 0.999, 1e-8, 1e-3

@@ -17,6 +17,7 @@ from meshes.kinds import KINDS
 from meshes.measure import measures
 from meshes.necking_bar import necking_bar
 from meshes.quality import quality
+from meshes.square_bar import square_bar
 from meshes.taylor_bar import taylor_bar
 from meshes.taylor_quarter import taylor_quarter
 from meshes.tension_strip import tension_strip
@@ -33,6 +34,9 @@ def polygon(corners):
 FRUSTUM = 0.25 * (1.0 + 0.9 + 0.81)
 """Height 3 / 4 of a quarter, times the mean of the squares of a radius that grows from 0.9 to 1."""
 
+SQUARE_FRUSTUM = 3.0 * (1.0 + 0.9 + 0.81) / 3.0
+"""Height 3, times the mean of the squares of a width that grows from 0.9 to 1."""
+
 CASES = [
     *((kind, partial(block, [1, 2], [3, 5], [2, 3]), 6.0, 4) for kind in PLANAR),
     *((kind, partial(block, [1, 2, 3], [3, 5, 4], [2, 3, 1], distortion=0.1), 6.0, 6) for kind in SOLID),
@@ -48,6 +52,7 @@ CASES = [
     *((kind, partial(taylor_quarter, 1.0, 3.0, 4), 0.75 * polygon(16), 5) for kind in SOLID),
     *((kind, partial(necking_bar, 1.0, 3.0, 2, 4, 0.9, 0.5), 2.85, 4) for kind in PLANAR),
     *((kind, partial(necking_bar, 1.0, 3.0, 4, 4, 0.9, 0.5), FRUSTUM * polygon(16), 5) for kind in SOLID),
+    *((kind, partial(square_bar, 1.0, 3.0, 2, 4, 0.9, 0.5), SQUARE_FRUSTUM, 6) for kind in SOLID),
     *((kind, partial(tension_strip, 1.0, 3.0, 2, 4, 0.9), 2.85, 4) for kind in PLANAR),
 ]
 """Kind, geometry, its measure with straight edges, and its number of boundaries."""
@@ -212,6 +217,9 @@ def test_quarter_of_a_ring_has_its_symmetry_planes_exactly():
         (lambda: taylor_quarter(1.0, 2.0, 4, grading=0.0), "grading is 0"),
         (lambda: taylor_quarter(0.0, 2.0, 4), "radius is 0"),
         (lambda: necking_bar(1.0, 2.0, 4, taper=1.1), "taper is 1.1; give a number from 0.5 to 1"),
+        (lambda: square_bar(1.0, 2.0, 4, 4, taper=0.1), "taper is 0.1"),
+        (lambda: square_bar(1.0, 2.0, 4, 4, grading=0.0), "grading is 0"),
+        (lambda: square_bar(1.0, 2.0, 4, 4, kind="quad4"), "in 3-D"),
         (lambda: tension_strip(1.0, 2.0, 4, 4, taper=0.1), "taper is 0.1"),
         (lambda: tension_strip(1.0, 2.0, 4, 4, kind="hex8"), "in 2-D"),
         (lambda: taylor_quarter(1.0, np.nan, 4), "length is nan"),

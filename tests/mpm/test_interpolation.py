@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from core_models.compilation import kernel
 from core_models.geometry import Spatial
 from mpm.geometries import stand
-from mpm.grid import make_grid
+from mpm.grid import find_box, make_grid
 from mpm.interpolation import half_size, reach, spread
 from mpm.interpolation.cubic import CubicSpline
 from mpm.interpolation.gimp import UniformGimp
@@ -21,7 +21,8 @@ CELL = 0.4e-3
 SPLINES = [LinearHat(), QuadraticSpline(), CubicSpline()]
 SHAPES = [*SPLINES, UniformGimp(CELL * np.array([[0.25, 0.1, 0.5]]))]
 IDS = ["linear", "quadratic", "cubic", "gimp"]
-GRID = make_grid(Spatial(), CELL, np.array([0.1, -0.2, 0.0]) * CELL, np.zeros((1, 3)))
+BASE = np.array([0.1, -0.2, 0.0]) * CELL
+GRID = make_grid(CELL, BASE, find_box(CELL, BASE, np.zeros((1, 3))))
 place = st.floats(-20.0, 20.0)
 places = st.tuples(place, place, place)
 ROUND_OFF = 1e-14

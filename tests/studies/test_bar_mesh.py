@@ -8,7 +8,7 @@ from core_models.errors import MeshError, SceneError
 from meshes.io import write_mesh
 from meshes.taylor_bar import taylor_bar
 from meshes.taylor_quarter import taylor_quarter
-from studies.bar_mesh import bar_mesh
+from studies.bar.mesh import bar_mesh
 from studies.methods import build_solver, check_run, resolutions_of
 from studies.running import run
 from studies.scene_reader import read_scene

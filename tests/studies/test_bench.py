@@ -6,9 +6,9 @@ import pytest
 from core_models import points as points_module
 from core_models.kernels import advance_points
 from core_models.points import MaterialPoints
-from studies import bench_yardstick
-from studies.bench import _point_update
-from studies.bench_materials import bench_materials, yardstick_material
+from studies.bench import yardstick
+from studies.bench.materials import bench_materials, yardstick_material
+from studies.bench.speeds import _point_update
 
 
 def test_law_combinations_have_names_of_their_own():
@@ -27,8 +27,8 @@ def test_point_updates_are_timed():
 def test_the_yardstick_does_what_the_machinery_of_laws_does(monkeypatch):
     """The hand-written update and that of the laws agree to round-off: elastic, plastic, large and melted steps."""
     monkeypatch.setattr(points_module, "advance_points", getattr(advance_points, "py_func", advance_points))
-    by_hand = bench_yardstick.advance_by_hand
-    monkeypatch.setattr(bench_yardstick, "advance_by_hand", getattr(by_hand, "py_func", by_hand))
+    by_hand = yardstick.advance_by_hand
+    monkeypatch.setattr(yardstick, "advance_by_hand", getattr(by_hand, "py_func", by_hand))
     points = MaterialPoints(yardstick_material(), np.full(40, 1e-9))
     gradient = np.random.default_rng(1).uniform(-1.0, 1.0, (points.n, 3, 3))
     points.old.temperature[:3] = 1400.0
@@ -38,7 +38,7 @@ def test_the_yardstick_does_what_the_machinery_of_laws_does(monkeypatch):
         points.advance(1e-6)
         expected = {name: array.copy() for name, array in points.new._asdict().items() if array is not None}
         speed = points.wave_speed.copy()
-        bench_yardstick.by_hand(points, 1e-6)()
+        yardstick.by_hand(points, 1e-6)()
         for name, array in expected.items():
             assert getattr(points.new, name) == pytest.approx(
                 array, rel=1e-9, abs=1e-9 * np.abs(array).max()

@@ -2,24 +2,27 @@
 
 import argparse
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from core_models.cards import read_material
-from core_models.driver import drive_program
+from core_models.driver import History, drive_program
 from core_models.eos.default_hypo import DefaultHypoelastic
 from core_models.eos.neo_hookean import NeoHookean
 from core_models.errors import SceneError
+from core_models.flow.thermal_voce import ThermalVoce
 from core_models.loading import Deformation, Stress, Stretch, VelocityGradient
 from core_models.loading_paths import uniaxial_stress
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from studies.command_line import main
 from studies.commands.drive import add_options
-from studies.drive_segments import read_segment
-from studies.driving import asked_test
+from studies.drive.driving import DriveResult, asked_test
+from studies.drive.segments import read_segment
+from studies.drive.text import remarks
 from studies.material_finder import find_material, with_update
 from studies.options import Parser
 from studies.scene_reader import read_scene
@@ -174,6 +177,21 @@ def test_remarks_tell_what_a_table_hides(arguments, told, capsys):
     """Melting, failure, and a point that has stayed elastic; numbers with exponents are numbers, also negative ones."""
     assert main(["drive", "taylor-copper-jc", *arguments]) == 0
     assert told in capsys.readouterr().out
+
+
+def test_remarks_tell_that_heat_has_taken_the_strength():
+    """Without a melting law too: Voce's flow stress with thermal softening of 0.002 /K is gone 500 K above T_0."""
+    test = asked("copper_ofhc_johnson_cook", "--to", "0.1", "--rate", "1")
+    flow = ThermalVoce(450e6, 715e6, 16.93, 129.24e6, 0.002, 0.002, 294.0)
+    test = replace(test, material=replace(test.material, flow=flow, melting=None))
+    fields = {
+        "equivalent_plastic_strain": np.array([0.0, 0.1, 0.2]),
+        "temperature": np.array([294.0, 700.0, 800.0]),
+    }
+    history = History(np.arange(3.0), fields, *np.zeros((4, 3)))
+    assert list(remarks(DriveResult(test, history))) == [
+        "heat has taken all strength at t = 2 s, 800 K: there the flow law gives no stress"
+    ]
 
 
 @pytest.mark.parametrize(

@@ -20,7 +20,8 @@ from studies.stability.case import Case
 from studies.stability.cases import all_cases, find_case
 from studies.stability.cell import FAILED, REFUSED, RESCUED, STABLE, run_cell
 from studies.stability.isolated import judged
-from studies.stability.study import VARIANTS, survey_stability
+from studies.stability.study import VARIANTS, pairs, survey_stability
+from studies.stability.tables import summary
 from studies.stability.true_limit import true_limit
 
 
@@ -138,6 +139,9 @@ FAST = (
     ("bouncing", "mpm", STABLE),
     ("step-1.05", "fem-explicit", REFUSED),
     ("step-1.05", "mpm", REFUSED),
+    ("soft", "mpm:linear", FAILED),
+    ("implicit-apart", "fem-implicit", RESCUED),
+    ("implicit-soft", "fem-implicit", REFUSED),
 )
 
 
@@ -146,6 +150,15 @@ def test_a_fast_part_of_the_matrix(case, variant, verdict):
     """Cells that need no kernels of their own."""
     cell = run_cell(find_case(case), variant, True)
     assert cell.verdict == verdict, cell.why
+
+
+def test_cases_of_increments_are_for_implicit_variants():
+    """Each case meets the variants that it suits; where there is none, one line says so."""
+    cases = [find_case("soft"), find_case("implicit-soft")]
+    found = pairs(cases, ("fem-explicit", "mpm-implicit"))
+    assert found == [("soft", "fem-explicit"), ("implicit-soft", "mpm-implicit")]
+    with pytest.raises(SceneError, match="take fem-implicit"):
+        pairs(cases[1:], ("mpm",))
 
 
 def test_the_true_limit_of_the_step_is_found():
@@ -179,6 +192,7 @@ def test_the_study_leaves_the_matrix_with_reasons(tmp_path, capsys):
         return {
             "case": case, "variant": variant, "verdict": verdict, "why": "too soft" if variant == "mpm" else "",
             "steps": 1, "time": 1.0, "drift": None, "smallest_ratio": 1.0, "smallest_step": None, "redone": 0,
+            "seconds": 1.0,
         }  # fmt: skip
 
     outcome = survey_stability(
@@ -190,6 +204,7 @@ def test_the_study_leaves_the_matrix_with_reasons(tmp_path, capsys):
     )
     assert again.cells == outcome.cells
     assert "soft,stable,refused" in (tmp_path / "out/matrix.csv").read_text()
+    assert "soft                      1 of 2 stable; refused: mpm" in summary(outcome.cells)
     assert "too soft" in (tmp_path / "out/reasons.csv").read_text()
     assert main(["study", "stability", "--cases", "spal", "--out", str(tmp_path / "b")]) == 2
     assert "spall" in capsys.readouterr().err

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from studies import bar_shape
+from studies.bar.shape import foot_height, foot_radius, length, rim_lift, standing
 from studies.quantity_names import QUANTITIES
 from studies.running import run
 
@@ -16,22 +16,22 @@ MUSHROOM = {
 
 def test_a_lifted_bar_is_measured_from_its_own_foot():
     """Length, rim lift and foot radius do not depend on the flight height."""
-    assert bar_shape.length(MUSHROOM) == pytest.approx(20.0)
-    assert bar_shape.rim_lift(MUSHROOM) == pytest.approx(0.2)
-    assert bar_shape.foot_radius(MUSHROOM) == pytest.approx(7.0)
+    assert length(MUSHROOM) == pytest.approx(20.0)
+    assert rim_lift(MUSHROOM) == pytest.approx(0.2)
+    assert foot_radius(MUSHROOM) == pytest.approx(7.0)
 
 
 def test_a_wide_rear_is_not_the_foot():
     """The foot radius is looked for in the lower half only."""
     tail = MUSHROOM | {"side": np.vstack([MUSHROOM["side"], [[9.0, 20.1]]])}
-    assert bar_shape.foot_radius(tail) == pytest.approx(7.0)
+    assert foot_radius(tail) == pytest.approx(7.0)
 
 
 def test_a_standing_outline_touches_the_wall():
     """Moving an outline to z = 0 keeps its shape."""
-    moved = bar_shape.standing(MUSHROOM)
-    assert bar_shape.foot_height(moved) == 0.0
-    assert bar_shape.length(moved) == pytest.approx(20.0)
+    moved = standing(MUSHROOM)
+    assert foot_height(moved) == 0.0
+    assert length(moved) == pytest.approx(20.0)
 
 
 def test_every_quantity_is_reported_with_its_unit(fake_solvers, classic):

@@ -3,6 +3,7 @@
 examples:
   matpoint study stability --quick
   matpoint study stability --cases taylor-600,erosion --methods fem-explicit,mpm,mpm:total
+  matpoint study stability --cases implicit-soft,implicit-apart
   matpoint study stability --resume results/stability
 
 Each cell runs in a process of its own with limits of time and memory. --quick makes a tenth of the steps.
@@ -22,7 +23,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """Options of `matpoint study stability`."""
     parser.add_argument("--quick", action="store_true", help="a tenth of the steps")
     parser.add_argument("--cases", metavar="NAME[,NAME...]", type=names, help="these cases (default: all)")
-    parser.add_argument("--methods", metavar="A[,B...]", type=names, help="variants (default: ten)")
+    parser.add_argument("--methods", metavar="A[,B...]", type=names, help="variants (default: sixteen)")
     folder = parser.add_mutually_exclusive_group()
     folder.add_argument(
         "--out", metavar="DIR", help="new or empty folder (default: results/stability-DATE-TIME)"
@@ -33,24 +34,24 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def execute(options: argparse.Namespace) -> int:
     """Run the matrix, print it and where the report is."""
-    from studies.report.study_text import table_text
-    from studies.stability.cases import all_cases
-    from studies.stability.study import VARIANTS, survey_stability
+    from studies.stability.cases import all_cases, find_case
+    from studies.stability.study import VARIANTS, pairs, survey_stability
+    from studies.stability.tables import summary, without_laws
     from studies.study_output import print_study
     from studies.tally import Tally
 
     out = Path(options.resume or options.out or default_folder("stability"))
-    tally = Tally(len(options.cases or all_cases()) * len(options.methods or VARIANTS))
+    cases = [find_case(name) for name in options.cases or all_cases()]
+    tally = Tally(len(pairs(cases, options.methods or VARIANTS)))
     outcome = survey_stability(
         out,
         quick=options.quick,
         cases=options.cases,
         variants=options.methods,
         going_on=options.resume is not None,
-        tell=lambda cell: tally.tell(_said(cell)),
+        tell=lambda cell: tally.tell(without_laws(_said(cell))),
     )
-    matrix = outcome.report.sections[0].tables[0]
-    print_study(out, table_text(matrix), outcome.remark, as_json=options.json)
+    print_study(out, summary(outcome.cells), outcome.remark, as_json=options.json)
     return SOME_FAILED if outcome.failed else 0
 
 

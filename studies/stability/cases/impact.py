@@ -3,8 +3,7 @@
 from dataclasses import replace
 
 from core_models.erosion.zero_stress import ZeroStress
-from core_models.flow.voce import Voce
-from studies.stability.bodies import bar, bar_mesh, classic, copper, hardening, hyperelastic
+from studies.stability.bodies import bar, bar_mesh, copper, hardening, hyperelastic, softening
 from studies.stability.case import Case
 
 END = 15e-6  # s
@@ -24,8 +23,7 @@ def _soft(variant: str):
 
 
 def _softening(variant: str):
-    material = replace(classic(), flow=Voce(400e6, 1e3, 10.0, 0.0))
-    return bar(variant, material, velocity=-200.0, wall="unilateral")
+    return bar(variant, softening(), velocity=-200.0, wall="unilateral")
 
 
 def _eroding(variant: str):

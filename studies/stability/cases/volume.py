@@ -1,16 +1,11 @@
 """Large changes of volume, stiff volumes, and tension that takes particles apart."""
 
-from dataclasses import replace
-
 import numpy as np
 
-from core_models.elasticity.isotropic import IsotropicElastic
-from core_models.eos.neo_hookean import NeoHookean
 from core_models.loads import Prescribed
-from studies.stability.bodies import ASPECT, RADIUS, bar, classic, copper, elastic
+from studies.stability.bodies import ASPECT, RADIUS, bar, copper, elastic, stiff
 from studies.stability.case import Case
 
-STIFF = 1000.0  # bulk over shear modulus
 PULL = 100.0  # m/s
 
 
@@ -20,10 +15,7 @@ def _swelling(rate: float):
 
 
 def _incompressible(variant: str):
-    shear = classic().elasticity.shear_modulus / 10.0
-    bulk = STIFF * shear
-    material = replace(classic(), elasticity=IsotropicElastic(bulk, shear), eos=NeoHookean(bulk))
-    return bar(variant, material, velocity=-50.0, wall="unilateral")
+    return bar(variant, stiff(), velocity=-50.0, wall="unilateral")
 
 
 def _pulled(variant: str):

@@ -13,8 +13,8 @@ import numpy as np
 from core_models.material import Material
 from core_models.points import MaterialPoints
 from core_models.threads import Threads
-from studies.bench_materials import bench_materials, yardstick_material
-from studies.bench_yardstick import by_hand
+from studies.bench.materials import bench_materials, yardstick_material
+from studies.bench.yardstick import by_hand
 from studies.display import number
 from studies.methods import METHODS, build_solver
 from studies.scene_reader import read_scene

@@ -7,8 +7,8 @@ from core_models.driver import History, drive_program, isothermal
 from core_models.errors import SceneError
 from core_models.loading_program import Program
 from core_models.material import Material
-from studies.drive_paths import DrivePath, find_path
-from studies.drive_segments import read_segment
+from studies.drive.paths import DrivePath, find_path
+from studies.drive.segments import read_segment
 from studies.material_finder import find_material, with_update
 
 

@@ -6,9 +6,9 @@ from pathlib import Path
 from core_models.atomic import replacing
 from core_models.cards import write_material
 from core_models.errors import OutputError
-from studies.drive_columns import csv_text
-from studies.drive_plot import check_format, write_plot
-from studies.driving import DriveResult
+from studies.drive.columns import csv_text
+from studies.drive.driving import DriveResult
+from studies.drive.plot import check_format, write_plot
 from studies.output_folder import OutputFolder, check_unused
 
 HISTORY, PICTURE, SUMMARY, CARD = "history.csv", "history.svg", "summary.txt", "material.xml"

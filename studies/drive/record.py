@@ -2,9 +2,9 @@
 
 from typing import Any
 
-from studies.drive_columns import columns
-from studies.drive_text import remarks
-from studies.driving import DriveResult
+from studies.drive.columns import columns
+from studies.drive.driving import DriveResult
+from studies.drive.text import remarks
 
 
 def drive_record(result: DriveResult) -> dict[str, Any]:

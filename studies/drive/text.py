@@ -5,14 +5,15 @@ from collections.abc import Iterator
 import numpy as np
 
 from core_models.driver import History
-from core_models.laws import melting_temperature
+from core_models.laws import flow_stress, melting_temperature, under_pressure
 from core_models.loading import STRESS_COLUMN
-from studies.drive_columns import SYMMETRIC
-from studies.driving import DriveResult, MaterialTest
+from studies.drive.columns import SYMMETRIC
+from studies.drive.driving import DriveResult, MaterialTest
 from studies.text_table import aligned
 
 ROWS = 10
 MEGA = 1e-6
+NOTHING = 1e-9  # of the flow stress at room temperature
 TOLERANCE = 1e-8  # of the largest stress: what free components are zero to
 HEADINGS = {  # field: heading, factor; other scalars go by their own names
     "equivalent_plastic_strain": ("plastic strain", 1.0),
@@ -111,7 +112,7 @@ def _shown(value: float) -> str:
 
 
 def remarks(result: DriveResult) -> Iterator[str]:
-    """What a table hides: no yielding, melting, damage that is complete."""
+    """What a table hides: no yielding, melting, strength lost to heat, damage that is complete."""
     material, fields = result.test.material, result.history.fields
     plastic = fields.get("equivalent_plastic_strain")
     if plastic is not None and plastic[-1] == 0.0:
@@ -124,6 +125,12 @@ def remarks(result: DriveResult) -> Iterator[str]:
                 f"the point has melted at t = {_shown(result.history.times[melted[0]])} s, "
                 f"{_shown(temperature[melted[0]])} K: from there on it has no strength"
             )
+        weak = _without_strength(result)
+        if weak.size and not melted.size:
+            yield (
+                f"heat has taken all strength at t = {_shown(result.history.times[weak[0]])} s, "
+                f"{_shown(temperature[weak[0]])} K: there the flow law gives no stress"
+            )
     damage = fields.get("damage")
     if damage is not None and damage[-1] >= 1.0:
         failed = np.flatnonzero(damage >= 1.0)[0]
@@ -131,3 +138,21 @@ def remarks(result: DriveResult) -> Iterator[str]:
             "which acts on the stress" if material.erosion is not None else "which does not act: no erosion"
         )
         yield f"damage has reached 1 at t = {_shown(result.history.times[failed])} s, {acts}"
+
+
+def _without_strength(result: DriveResult) -> np.ndarray:
+    """Rows whose temperature leaves no flow stress where room temperature leaves some."""
+    material, fields = result.test.material, result.history.fields
+    if material.flow is None:
+        return np.empty(0, dtype=int)
+    flow = under_pressure(material.flow, 1.0, 0.0, melting_temperature(material.melting))
+    strain, temperature = fields["equivalent_plastic_strain"], fields["temperature"]
+    variable = fields.get("hardening_variable", np.zeros(len(strain)))
+    room = np.full(len(strain), material.room_temperature)
+    hot, cold = (
+        np.array(
+            [flow_stress(flow, v, p, 0.0, t)[0] for v, p, t in zip(variable, strain, kelvin, strict=True)]
+        )
+        for kelvin in (temperature, room)
+    )
+    return np.flatnonzero((cold > 0.0) & (hot <= NOTHING * cold))

@@ -9,9 +9,9 @@ from core_models.atomic import replacing
 from core_models.errors import SceneError, UnsupportedError
 from core_models.names import suggestion
 from studies.display import shown_title
-from studies.drive_columns import SYMMETRIC
-from studies.drive_text import MEGA, scalars, settled
-from studies.driving import DriveResult
+from studies.drive.columns import SYMMETRIC
+from studies.drive.driving import DriveResult
+from studies.drive.text import MEGA, scalars, settled
 from studies.report.drawing import FAINT, GRID, INK, PANEL, STYLE
 
 FORMATS = (".svg", ".png", ".pdf")

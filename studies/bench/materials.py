@@ -34,7 +34,7 @@ def bench_materials() -> Iterator[tuple[str, Material]]:
 
 
 def yardstick_material() -> Material:
-    """The material whose update is also written by hand (studies.bench_yardstick)."""
+    """The material whose update is also written by hand (studies.bench.yardstick)."""
     return replace(_shipped("copper_hypoelastic_johnson_cook"), damage=None)
 
 
