@@ -157,7 +157,7 @@ def _(update, rows, k, model, point, place, stresses, tangents):
     continued = _continued(flow, carried, point, 0.0, problem.shear)
     if not has_no_strength(model, point, j):
         returned = return_stress(law, model, continued, problem, rows, k)
-        if returned.regime != ELASTIC and heat > 0.0 and returned.increment > 0.0:
+        if returned.regime != ELASTIC and heat > 0.0 and returned.increment * carried > 0.0:
             lost = minus(problem.trial, returned.deviator)
             work = 0.5 / problem.shear * contract(lost, returned.deviator)
             work += returned.mean_stress * (problem.volume - returned.volume) - returned.stored

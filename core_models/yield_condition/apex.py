@@ -59,6 +59,10 @@ def apex_flow(apex, eos, flow, problem, sheared):
     converged, kind, increment = True, CUT_OFF, sheared
     if strength(flow, problem, sheared).stress <= apex.friction * apex.cutoff:
         converged, kind, increment = _by_volume(apex, eos, flow, problem, sheared)
+    if kind == BY_VOLUME:  # a spall cut-off has one mean stress for many volumes
+        volume = problem.volume - apex.growth * increment
+        stress, bulk = mean_stress(eos, problem, volume)
+        return ApexFlow(converged, kind, increment, volume, stress, bulk)
     surface = strength(flow, problem, increment).stress
     target = apex.cutoff if kind == CUT_OFF else surface / apex.friction
     limit = allowance(problem, surface, mean_stress(eos, problem, problem.volume)[1])

@@ -18,7 +18,7 @@ ROUND_OFF = 1e-12  # of the trial stress: a loss of shear stress below it has no
 
 @return_change.register(DruckerPrager)
 def _(yield_condition, model, flow, problem, returned, rows, k, trial, shear, mean, spin):
-    if returned.regime == ELASTIC:
+    if returned.regime == ELASTIC or (returned.regime == CONE and returned.increment == 0.0):
         return trial, mean
     if returned.regime == PLANE:
         return trial, 0.0

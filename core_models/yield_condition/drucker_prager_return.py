@@ -120,7 +120,8 @@ def _on_cone(law, model, flow, problem, size, highest, rows, k):
         cohesion = law.cohesion_factor * now.stress
         residual = left + 3.0 * law.alpha * stress - cohesion
         is_near = abs(residual) <= allowance(problem, cohesion, bulk)
-        if gamma == highest and residual > 0.0 and not is_near:
+        is_beyond = residual > 0.0 and (not is_near or 3.0 * law.alpha * stress > cohesion)
+        if gamma == highest and is_beyond:
             break
         if is_near or high - low <= 1e-15 * high:
             return True, gamma, volume, stress, bulk

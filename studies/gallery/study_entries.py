@@ -39,7 +39,7 @@ def _fast_impact() -> Shown:
 
 
 def _effects() -> Shown:
-    from studies.bar_outline import bar_outline
+    from studies.bar.outline import bar_outline
     from studies.effects_study.study import planned
     from studies.methods import build_solver
     from studies.scene_reader import read_scene

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 from core_models.errors import MaterialError
@@ -218,6 +218,20 @@ def test_no_draw_breaks_a_point(materials, draw):
 @pytest.mark.usefixtures("interpreted")
 @settings(common, max_examples=PLAIN_DRAWS)
 @given(draw=DRAW)
+@example(draw=Draw(1, 1.0, [Step(0.15625, 0.0), Step(0.0, 0.0)], 1)).via("a viscous apex, held for a moment")
+@example(draw=Draw(8, 4000.0, [Step(1.3488880585675103e-09, 6.744426922311945)], 312023609)).via(
+    "no cohesion"
+)
+@example(
+    draw=Draw(8, 1783.3455317479556, [Step(0.0011, -3.3), Step(0.4756, 0.0), Step(1e-12, 0.0)], 3868577674)
+).via("no cohesion: the order of what is left of the shear stress")
+@example(draw=Draw(11, 434.0, [Step(0.25, 0.0), Step(0.25, 0.0), Step(2.0**-24, 0.0)], 4370704)).via(
+    "no shear left"
+)
+@example(draw=Draw(6, 1.0, [Step(1.0928379256712217e-163, 0.0)], 0)).via("squares of stresses that underflow")
+@example(
+    draw=Draw(36, 2.0, [Step(0.001, 1.0), Step(0.2676906165506852, 8.0), Step(0.0584, -3.6)], 1872952006)
+).via("a mean stress at the spall cut-off says nothing of the volume")
 def test_no_draw_breaks_a_point_of_the_whole_pool(whole_pool, draw):
     """The same for every law, in plain Python."""
     try_draw(whole_pool, draw)
