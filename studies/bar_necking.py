@@ -18,6 +18,9 @@ FRACTURED, DROPPED = (
 AT_SECTION = 0.05  # of the radius: what is so near to y = 0 lies on it
 
 
+BROKEN = 0.01  # of the largest force: with less a run ends
+
+
 class NeckingHistory:
     """What is measured while the body is pulled, row by row.
 
@@ -160,6 +163,12 @@ def at_elongation(history: NeckingHistory, column: str, elongation: float) -> fl
         if u[-1] >= elongation * (1.0 - 1e-9)
         else None
     )
+
+
+def is_broken(history: NeckingHistory) -> bool:
+    """Whether next to nothing is left of the largest force: what the halves do then is of no interest."""
+    force = history.column("force")
+    return bool(len(force)) and bool(force[-1] < BROKEN * force.max())
 
 
 def fall_to(history: NeckingHistory, share: float) -> float | None:

@@ -26,7 +26,7 @@ class Extent:
 
 
 FULL = Extent((("fem-explicit", 4), ("mpm", 8)), 9, 40.0)
-QUICK = Extent((("fem-explicit", 3), ("mpm", 6)), 1, 8.0)
+QUICK = Extent((("fem-explicit", 3), ("mpm", 6)), 1, 20.0)
 
 
 @dataclass(frozen=True)

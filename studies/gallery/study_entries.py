@@ -11,9 +11,9 @@ SERIES, CARD = "cu-wilkins", "copper_ofhc_johnson_cook"
 
 
 def _necking() -> Shown:
+    from studies.necking.methods import make_run
     from studies.necking.pictures import final_shapes
     from studies.necking.reader import read_necking_scene
-    from studies.necking_methods import make_run
 
     scene = read_necking_scene("necking-simo")
     asked = ("quad8:5", "fem-implicit:none")
@@ -39,7 +39,7 @@ def _fast_impact() -> Shown:
 
 
 def _effects() -> Shown:
-    from studies.bar_outline import bar_outline
+    from studies.bar.outline import bar_outline
     from studies.effects_study.study import planned
     from studies.methods import build_solver
     from studies.scene_reader import read_scene

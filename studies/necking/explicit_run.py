@@ -3,7 +3,7 @@
 from typing import Any
 
 from core_models.errors import RunFailure
-from studies.bar_necking import NeckingWatch
+from studies.bar_necking import NeckingWatch, is_broken
 from studies.necking.bodies import force_of
 from studies.necking.course import Course
 from studies.necking.kept_state import KeptState
@@ -18,7 +18,7 @@ ELASTIC = 0.15  # share after which the body has taken up much more than its ela
 def pull_explicitly(
     scene: NeckingScene, solver: Any, is_scaled: bool, state: KeptState, began: float
 ) -> NeckingRun:
-    """Pull the body of a scene by an explicit solver.
+    """Pull the body of a scene by an explicit solver, to the end or until it is broken.
 
     Goes on from `state`, which is that of a row's end. A run that goes wrong on its way, or moves too fast to be called
     quasi-static, is `stopped`; RunFailure if it does at once. is_scaled : whether its mass is, so that kinetic energy
@@ -29,6 +29,8 @@ def pull_explicitly(
     try:
         with course:
             for row in range(len(watch.history.rows), ROWS):
+                if is_broken(watch.history):
+                    break
                 course.row(_mean_force(solver, (row + 1) * scene.duration / ROWS))
             if is_scaled:
                 kinetic.check()

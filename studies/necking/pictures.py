@@ -8,7 +8,7 @@ from studies.necking.verdicts import Runs
 from studies.report.drawing import INK, as_svg, drawing
 
 MILLIMETRES = 1e3
-ACROSS = 5  # pictures in a row at most; rows are alike
+ACROSS = 3  # pictures in a row at most; rows are alike
 WIDTH, HEIGHT = 1.7, 3.4  # inches, of each
 
 

@@ -2,7 +2,7 @@
 
 from core_models.equilibrium.stepping import QuasiStatic
 from core_models.errors import RunFailure
-from studies.bar_necking import NeckingWatch
+from studies.bar_necking import NeckingWatch, is_broken
 from studies.necking.bodies import force_of
 from studies.necking.course import Course
 from studies.necking.kept_state import KeptState
@@ -11,7 +11,7 @@ from studies.necking.scene import ROUND_BAR, NeckingScene
 
 
 def pull_statically(scene: NeckingScene, solver: QuasiStatic, state: KeptState, began: float) -> NeckingRun:
-    """Pull the body of a scene by an implicit solver.
+    """Pull the body of a scene by an implicit solver, to the end or until it is broken.
 
     Goes on from `state`. A run that goes wrong on its way is `stopped`; RunFailure if it does at once.
     began : processor time of this process at which the run began [s].
@@ -19,7 +19,7 @@ def pull_statically(scene: NeckingScene, solver: QuasiStatic, state: KeptState, 
     course = Course(solver, NeckingWatch(solver, scene.body == ROUND_BAR), state, began)
     try:
         with course:
-            while solver.time < scene.duration:
+            while solver.time < scene.duration and not is_broken(course.watch.history):
                 solver.advance(scene.duration)
                 course.row(force_of(solver))
     except RunFailure as reason:

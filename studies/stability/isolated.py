@@ -1,5 +1,6 @@
 """A cell in a process of its own, with limits of time and memory: what hangs or crashes is a failure, not the end."""
 
+import logging
 import multiprocessing
 import resource
 import signal
@@ -47,6 +48,9 @@ def _limited(work: Callable[[], Result], pipe: Connection, within: float) -> Non
     resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
     resource.setrlimit(resource.RLIMIT_DATA, (MEMORY_LIMIT, MEMORY_LIMIT))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    logging.getLogger().handlers[:] = [
+        logging.NullHandler()
+    ]  # hard cases are warned of, each time: it is known
     pipe.send(work())
 
 

@@ -156,7 +156,8 @@ def _runs_table(runs: list[Measurement], quantities: tuple[str, ...]) -> Table:
         (
             f"{run.variant} {run.resolution}", run.points, run.steps, run.point_updates,
             *((run.linear_solves,) if solved else ()), run.seconds, run.repeats, run.spread, run.compile_s,
-            run.array_bytes / 2**20, round(run.memory_bytes / 2**20), *(run.values[name] for name in quantities),
+            run.array_bytes / 2**20 or None, round(run.memory_bytes / 2**20),
+            *(run.values[name] for name in quantities),
         )
         for run in runs if run.values
     ]  # fmt: skip

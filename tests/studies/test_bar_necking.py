@@ -26,6 +26,7 @@ from studies.bar_necking import (
     bridgman_factor,
     fall_to,
     first_failure,
+    is_broken,
     neck_curvature,
     peak,
     uniform_peak,
@@ -129,6 +130,13 @@ def test_fracture_and_first_failure_are_read_from_the_curve():
     assert first_failure(made) == (2.0, 0.25)
     whole = history([0.0, 1.0], [0.0, 2.0])
     assert fall_to(whole, 0.1) is None and first_failure(whole) == (None, None)
+
+
+def test_a_run_ends_when_the_body_is_broken():
+    """With less than a hundredth of the largest force; a start from nothing and a bar that holds are not broken."""
+    assert not is_broken(NeckingHistory()) and not is_broken(history([0.0, 1.0], [0.0, 2.0]))
+    assert not is_broken(history([0.0, 1.0, 2.0], [1.0, 10.0, 0.2]))
+    assert is_broken(history([0.0, 1.0, 2.0], [1.0, 10.0, 0.05]))
 
 
 def test_coarse_bar_necks_near_the_other_codes():
@@ -410,6 +418,17 @@ def test_an_eighth_of_a_bar_in_three_dimensions_necks_like_the_body_of_revolutio
         ours, theirs = (at_elongation(run.history, name, 4e-3) for run in (solid, plane))
         assert ours == pytest.approx(theirs, rel=within)
     assert area(solid.shape) == pytest.approx(area(plane.shape), rel=0.01)
+
+
+def test_a_square_bar_that_stays_straight_has_the_closed_form_of_the_largest_force():
+    """A run of its own section, as large as the round one, in three dimensions: within 0.1 %."""
+    half = 0.5 * math.sqrt(math.pi) * SIMO.radius
+    plan = PlannedRun(
+        "square", "fem-implicit", 1, 2, kind="hex8", increments=14, body="square-bar", radius=half, taper=1.0
+    )
+    run = make_run(replace(SIMO, pull=4.2e-3), plan)
+    assert peak(run.history)[1] == pytest.approx(uniform_peak(SIMO.material, SIMO.radius), rel=1e-3)
+    assert run.history.column("bridgman_flow").max() == 0.0
 
 
 def area(shape):

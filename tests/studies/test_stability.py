@@ -162,7 +162,10 @@ def test_cases_of_increments_are_for_implicit_variants():
 
 
 def test_the_true_limit_of_the_step_is_found():
-    """An oscillator of the central difference method blows up beyond omega dt = 2, here 1.6 of the estimate."""
+    """An oscillator of the central difference method blows up beyond omega dt = 2, here 1.6 of the estimate.
+
+    Its energy error is small beside what the energy has grown to, which does not pass for stable.
+    """
 
     class Oscillator:
         def __init__(self, variant, safety):
@@ -176,7 +179,9 @@ def test_the_true_limit_of_the_step_is_found():
 
         @property
         def ledger(self):
-            return SimpleNamespace(relative_error=0.0 if abs(self.x) < 1e3 else 1.0)
+            return SimpleNamespace(
+                relative_error=0.0, kinetic=0.5 * self.v**2, strain=0.5 * self.x**2, initial=1e6
+            )
 
         def point_positions(self):
             return np.array([self.x])

@@ -8,7 +8,8 @@ examples:
 
 SCENE is necking-simo (if left out), necking-jc-42crmo4, necking-weldox-damage, necking-gtn, necking-plane-strain, or an
 XML file. It writes results.json, runs/*.json and report.html with all curves over each other. Runs go to one process a
-processor; one that goes wrong stops nothing, and one that was made is not made again with --resume.
+processor; one that goes wrong stops nothing. With --resume a run that was made is not made again, and one that was
+stopped goes on from its last state, an implicit one also with increments and tolerance that were edited in the scene.
 Exit status: 0 when every criterion is met; 1 when some is not; 2 bad input; 3 when a run has stopped on its way, whose
 curves up to there are kept.
 """
@@ -29,7 +30,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """Options of `matpoint study necking`."""
     parser.add_argument("scene", metavar="SCENE", nargs="?", default="necking-simo", help="its name or file")
     parser.add_argument(
-        "--methods", metavar="A[,B...]", type=names, help="methods or single runs (default: all of the scene)"
+        "--methods",
+        metavar="A[,B...]",
+        type=names,
+        help="methods or single runs (default: all but extra ones)",
     )
     parser.add_argument("--quick", action="store_true", help="the scene's quick runs only")
     parser.add_argument("--workers", metavar="N", type=positive, help="processes (default: one a processor)")
