@@ -160,6 +160,14 @@ def test_a_scheduler_that_is_not_there_is_one_line(tmp_path, capsys, monkeypatch
         run_sweep([Job("a", double, (1,))], folder, scheduler="tcp://127.0.0.1:9")
 
 
+def test_a_scheduler_that_cannot_be_used_leaves_no_folder(tmp_path, capsys):
+    """Status 2, with or without Dask."""
+    out = tmp_path / "out"
+    arguments = ["study", "experiments", "--quick", "--scheduler", "nowhere", "--out", str(out)]
+    assert main(arguments) == 2
+    assert "--scheduler" in capsys.readouterr().err and not out.exists()
+
+
 def test_a_study_to_resume_has_to_be_one(tmp_path, capsys):
     """An empty folder is no study; out and resume exclude each other."""
     assert main(["study", "experiments", "--resume", str(tmp_path)]) == 2
