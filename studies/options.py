@@ -3,7 +3,7 @@
 import argparse
 import math
 import re
-from typing import NoReturn
+from typing import Any, NoReturn
 
 
 class Parser(argparse.ArgumentParser):
@@ -11,8 +11,8 @@ class Parser(argparse.ArgumentParser):
 
     def __init__(self, **settings) -> None:
         super().__init__(allow_abbrev=False, **settings)
-        # argparse takes -0.3 for a number, but -3e-1 for an option
-        self._negative_number_matcher = re.compile(r"-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
+        # argparse takes -0.3 for a number, but -3e-1, -4,6,8 and -5s for options; none of ours begins with a digit
+        self._negative_number_matcher = re.compile(r"-\.?\d")
 
     @property
     def option_names(self) -> list[str]:
@@ -27,6 +27,12 @@ class Parser(argparse.ArgumentParser):
 
             self.error(f"unknown option '{unknown[0]}'; {suggestion(unknown[0], namespace.known_options)}")
         return namespace
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        if action.choices is not None and value not in action.choices:
+            from core_models.names import suggestion
+
+            raise argparse.ArgumentError(action, f"unknown '{value}'; {suggestion(value, action.choices)}")
 
     def error(self, message: str) -> NoReturn:
         """One line, as a SceneError."""

@@ -36,9 +36,21 @@ def _check_settings(path: Path, settings: dict[str, Any]) -> None:
     for name, value in json.loads(to_json(settings)).items():
         if before.get(name) != value:
             raise OutputError(
-                f"{path}: was started with {name} = {before.get(name)}, not {value}; give what it was started with, "
-                "or start another with --out"
+                f"{path}: was started with {_difference(name, before.get(name), value)}; give what it was started "
+                "with, or start another with --out"
             )
+
+
+def _difference(name: str, before: Any, now: Any) -> str:
+    if not (isinstance(before, list) and isinstance(now, list)):
+        return f"{name} = {before}, not {now}"
+    extra = [entry for entry in before if entry not in now] or [entry for entry in now if entry not in before]
+    whose = "with" if extra and extra[0] in before else "without"
+    return f"another {name}, {whose} {_entry(extra[0])}" if extra else f"another order of {name}"
+
+
+def _entry(entry: Any) -> str:
+    return " ".join(str(part) for part in entry) if isinstance(entry, list) else str(entry)
 
 
 def kept(folder: OutputFolder, key: str) -> dict[str, Any] | None:

@@ -12,7 +12,7 @@ from studies.report.study_page import Report, write_report
 from studies.run_record import to_json
 from studies.study_folder import study_folder
 from studies.sweep.job import COMPLETE, Job
-from studies.sweep.sweep import run_sweep
+from studies.sweep.sweep import check_scheduler, run_sweep
 from studies.versions import processor, versions
 
 
@@ -70,8 +70,10 @@ def compare_experiments(
 
     going_on : `out` is the folder of a study that was stopped; runs in it that are complete are kept.
     scheduler, workers, tell : see `studies.sweep.sweep`. only : which jobs to do.
-    Raises OutputError for a folder that is in use, or that another study has been started in.
+    Raises OutputError for a folder that is in use, or that another study has been started in, and before anything is
+    written what `studies.sweep.sweep.check_scheduler` does.
     """
+    check_scheduler(scheduler)
     extent = QUICK if quick else FULL
     settings = {"study": "experiments", "quick": quick}
     with study_folder(out, settings, going_on) as folder:

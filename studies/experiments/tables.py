@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from statistics import median
 from typing import Any
 
+from studies.experiments.bands import by_temperature_and_speed
 from studies.experiments.shots import MEASURED, MEASURED_SCATTER
 from studies.report.study_page import Section
 from studies.sweep.job import COMPLETE
@@ -28,6 +29,7 @@ def sections(results: list[Result], methods: tuple[str, ...]) -> tuple[Section, 
     scatter = f"Two digitisations of the same shots differ by {low:g} to {high:g} %."
     return (
         Section("medians", "Predicted against measured", (_medians(done),), remarks=(scatter,)),
+        Section("bands", "Cold and hot, slow and fast", (by_temperature_and_speed(done),)),
         Section("methods", "The methods' difference beside the models' error", (_methods(done, methods),)),
         Section("shots", "Length by speed", plots=tuple(_plots(done))),
         Section("runs", "Every run", (_runs(done),)),

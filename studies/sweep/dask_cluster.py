@@ -1,11 +1,14 @@
 """Jobs on Dask: a cluster of this machine's own, or one that is running already."""
 
+import logging
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
 from core_models.errors import SceneError
 from studies.sweep.job import Job, failed, perform
+
+logger = logging.getLogger(__name__)
 
 CONNECT_TIMEOUT = 10.0  # s
 
@@ -52,8 +55,15 @@ def client_of(scheduler: str | None, workers: int) -> Iterator[Any]:
 
 
 def results_by_dask(jobs: Sequence[Job], client: Any) -> Iterator[dict[str, Any]]:
-    """Results in the order in which they come; a job whose worker is lost is done again by another."""
+    """Results in the order in which they come; a job whose worker is lost is done again by another.
+
+    A scheduler without workers is waited for: those of a queue may come later.
+    """
     from distributed import as_completed
+
+    if not client.nthreads():
+        address = client.scheduler.address
+        logger.warning("%s: has no workers yet, waiting; start some with 'dask worker %s'", address, address)
 
     futures = {client.submit(perform, job, key=job.key, pure=False): job for job in jobs}
     for future in as_completed(futures):

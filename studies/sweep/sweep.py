@@ -27,8 +27,9 @@ def run_sweep(
     scheduler : address of a running Dask scheduler; None for a Dask cluster of this machine, or, without Dask, plain
     processes. workers : processes on this machine, by default one for each processor.
     tell : called with each result, how many there are by now, and how many there will be.
-    A job that had failed before is tried again. Raises UnsupportedError for a scheduler without Dask.
+    A job that had failed before is tried again. Raises what `check_scheduler` does.
     """
+    check_scheduler(scheduler)
     known = {job.key: _kept(folder, job.key) for job in jobs}
     left = [job for job in jobs if known[job.key] is None]
     done = len(jobs) - len(left)
@@ -40,6 +41,21 @@ def run_sweep(
     return [known[job.key] for job in jobs]
 
 
+def check_scheduler(scheduler: str | None) -> None:
+    """Refuse a scheduler that cannot be used, before anything is written.
+
+    Raises UnsupportedError for any without Dask, SceneError for one that does not answer.
+    """
+    if scheduler is None:
+        return
+    if not is_installed():
+        raise UnsupportedError(
+            "--scheduler needs Dask: pip install 'matpoint[sweep]'; or leave it out, for processes of this machine"
+        )
+    with client_of(scheduler, 0):
+        pass
+
+
 def _kept(folder: OutputFolder, key: str) -> Result | None:
     result = kept(folder, key)
     return result if result and result["status"] == COMPLETE else None
@@ -49,9 +65,5 @@ def _results(jobs: Sequence[Job], scheduler: str | None, workers: int) -> Iterat
     if is_installed():
         with client_of(scheduler, workers) as client:
             yield from results_by_dask(jobs, client)
-    elif scheduler is None:
-        yield from results_by_processes(jobs, workers)
     else:
-        raise UnsupportedError(
-            "--scheduler needs Dask: pip install 'matpoint[sweep]'; or leave it out, for processes of this machine"
-        )
+        yield from results_by_processes(jobs, workers)

@@ -51,7 +51,9 @@ def find_problem(name: str, wall: str | None = None) -> WorkProblem:
 def planned(
     problem: WorkProblem, variants: tuple[str, ...] | None, resolutions: tuple[int, ...] | None
 ) -> list[tuple[str, int]]:
-    """Every variant at every resolution, coarse to fine; SceneError for fewer than five resolutions."""
+    """Every variant at every resolution, coarse to fine; SceneError for fewer than five resolutions, or one of 0."""
+    if resolutions is not None and min(resolutions) < 1:
+        raise SceneError("a resolution of 0 has no cells: give 1 or more, like 4,6,8,12,16")
     if resolutions is not None and len(set(resolutions)) < FEWEST:
         raise SceneError(
             f"{len(set(resolutions))} resolutions show no order: give {FEWEST} or more, like 4,6,8,12,16"

@@ -58,7 +58,9 @@ except SystemExit:
         (["run", "taylor-classic", "--threads", "0"], "1 or more"),
         (["compare", "no.xml"], "no such file"),
         (["models", "jonson_cook"], "johnson_cook"),
-        (["rum"], "run"),
+        (["rum"], "did you mean 'run'?"),
+        (["study", "experimnts"], "did you mean 'experiments'?"),
+        (["run", "taylor-classic", "--checkpoint-every", "-5s"], "10min"),
         ([], "COMMAND"),
     ],
 )

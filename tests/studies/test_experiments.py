@@ -107,6 +107,7 @@ def test_the_study_goes_on_where_it_was_stopped(tmp_path, monkeypatch):
     assert len(asked) == 7 and asked[6] == asked[1] and again.failed == 0
     table = (tmp_path / "out/medians.csv").read_text()
     assert '"steel 4340, steel_4340_johnson_cook, mpm",3,1.0' in table
+    assert '"steel 4340, up to 400 K, 200 to 300 m/s, mpm",2,1.0' in (tmp_path / "out/bands.csv").read_text()
     assert "Taylor impact experiments" in (tmp_path / "out/report.html").read_text()
     with pytest.raises(OutputError, match="quick = True, not False"):
         compare_experiments(tmp_path / "out", going_on=True)
@@ -158,6 +159,14 @@ def test_a_scheduler_that_is_not_there_is_one_line(tmp_path, capsys, monkeypatch
     monkeypatch.setattr("studies.sweep.dask_cluster.CONNECT_TIMEOUT", 0.5)
     with OutputFolder(tmp_path / "out") as folder, pytest.raises(SceneError, match="dask scheduler"):
         run_sweep([Job("a", double, (1,))], folder, scheduler="tcp://127.0.0.1:9")
+
+
+def test_a_scheduler_that_cannot_be_used_leaves_no_folder(tmp_path, capsys):
+    """Status 2, with or without Dask."""
+    out = tmp_path / "out"
+    arguments = ["study", "experiments", "--quick", "--scheduler", "nowhere", "--out", str(out)]
+    assert main(arguments) == 2
+    assert "--scheduler" in capsys.readouterr().err and not out.exists()
 
 
 def test_a_study_to_resume_has_to_be_one(tmp_path, capsys):

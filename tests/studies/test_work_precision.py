@@ -173,6 +173,8 @@ def test_a_study_that_was_stopped_measures_only_what_is_missing(tmp_path, monkey
     assert "agree within their uncertainty" in verdict.remarks[0]
     with pytest.raises(OutputError, match="repeats = 1, not 2"):
         compare_work(problem, tmp_path / "out", repeats=2, threads=1, going_on=True)
+    with pytest.raises(OutputError, match="another plan, without fem-explicit 64 2; give"):
+        compare_work(problem, tmp_path / "out", repeats=1, threads=2, going_on=True)
 
 
 @pytest.mark.parametrize(
@@ -180,6 +182,8 @@ def test_a_study_that_was_stopped_measures_only_what_is_missing(tmp_path, monkey
     [
         (["vibrating-bra"], "vibrating-bar"),
         (["vibrating-bar", "--resolutions", "1,2"], "5 or more"),
+        (["vibrating-bar", "--resolutions", "0,1,2,3,4"], "1 or more"),
+        (["vibrating-bar", "--resolutions", "-4,6,8,12,16"], "list of whole numbers"),
         (["vibrating-bar", "--wall", "plane"], "has no wall"),
         (["necking-simo", "--methods", "mpm-lt"], "mpm-tl"),
         (["taylor-classic", "--methods", "fem-explicit:hex9"], "hex8"),
