@@ -18,8 +18,8 @@ WATCH = 50  # looks at the body in a run
 
 @dataclass
 class Cell:
-    """How a case went: verdict, why; steps, time [s]; largest energy error, smallest J and step [s], redone steps;
-    processor time [s] with compiling.
+    """How a case went: verdict, why; steps, time [s]; largest energy error, smallest and largest J, smallest step [s],
+    redone steps; processor time [s] with compiling.
     """
 
     case: str
@@ -30,6 +30,7 @@ class Cell:
     time: float = 0.0
     drift: float = 0.0
     smallest_ratio: float = 1.0
+    largest_ratio: float = 1.0
     smallest_step: float = math.inf
     redone: int = 0
     seconds: float = 0.0
@@ -99,6 +100,7 @@ def _advance(case: Case, solver: Any, cell: Cell, steps: int) -> None:
 def _look(solver: Any, cell: Cell) -> None:
     cell.drift = max(cell.drift, energy_drift(solver))
     cell.smallest_ratio = min(cell.smallest_ratio, float(solver.points.volume_ratio.min()))
+    cell.largest_ratio = max(cell.largest_ratio, float(solver.points.volume_ratio.max()))
 
 
 def energy_drift(solver: Any) -> float:

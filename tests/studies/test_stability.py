@@ -31,7 +31,7 @@ class Pretended:
     def __init__(self, act=lambda solver: None):
         self.time, self.step_count, self.time_step, self.place, self._act = 0.0, 0, 1.0, 0.0, act
         self.ledger = SimpleNamespace(relative_error=1e-3)
-        self.points = SimpleNamespace(volume_ratio=np.array([1.0, 0.7]))
+        self.points = SimpleNamespace(volume_ratio=np.array([1.3, 0.7]))
 
     def advance(self, limit):
         """One step."""
@@ -95,6 +95,7 @@ def test_a_cell_is_judged_by_what_happened(act, verdict, why):
     assert cell.redone == (act is redo)
     if verdict == STABLE:
         assert (cell.steps, cell.drift, cell.smallest_ratio, cell.smallest_step) == (10, 1e-3, 0.7, 1.0)
+        assert cell.largest_ratio == 1.3
 
 
 def wrong():
