@@ -5,7 +5,7 @@ import platform
 from dataclasses import asdict
 
 from studies.effects import scene_effects
-from studies.effects_study.decisions import decisions
+from studies.effects_study.afterwards import decision_entry, verified
 from studies.methods import find_method
 from studies.run_result import RunResult
 from studies.versions import processor, versions
@@ -30,8 +30,8 @@ def run_entry(result: RunResult) -> dict:
         "energies": result.energies,
         "numerical_fracture": result.numerical_fracture,
         "decisions": [
-            asdict(decision) | {"wanted": decision.wanted}
-            for decision in decisions(result.scene, result.wall)
+            asdict(decision) | {"wanted": decision.wanted} | decision_entry(decision, found)
+            for decision, found in verified(result)
         ],
         "effects": [
             effect_entry(effect) for effect in scene_effects(result.scene, result.wall, (result.method,))

@@ -1,8 +1,8 @@
 """One run as plain text for the terminal."""
 
 from studies.display import shown, shown_name, shown_unit
-from studies.effects_study.decision_text import decisions_text
-from studies.effects_study.decisions import decisions
+from studies.effects_study.afterwards import verified
+from studies.effects_study.decision_text import verified_text
 from studies.fracture_watch import fracture_text
 from studies.run_result import RunResult
 from studies.text_table import aligned
@@ -28,5 +28,5 @@ def run_text(result: RunResult) -> str:
         f"{result.scene.name}, {result.label}, wall {result.wall}; ended {result.ended}\n\n{table}\n\n"
         f"{result.points} points, {cost.steps} steps, {cost.wall_s:.1f} s in all "
         f"(compilation {cost.compile_s:.1f} s); energy closes to {error:.3f} %{torn}\n\n"
-        f"effects, decided from the scene's numbers\n{decisions_text(decisions(result.scene, result.wall))}"
+        f"effects, decided from the scene's numbers and verified by the run\n{verified_text(verified(result))}"
     )

@@ -1,25 +1,42 @@
 """Decisions about effects as plain text."""
 
 from studies.display import ABSENT
+from studies.effects_study.afterwards import is_confirmed
 from studies.effects_study.decisions import Decision
 from studies.text_table import aligned
+
+NUMBERS = 2  # the column of the number and its threshold
 
 
 def decisions_text(found: list[Decision]) -> str:
     """One line for each: the effect, whether it is on, number against threshold, and whether they agree."""
-    width = max(len(each.meaning) for each in found)
+    return _lines([[*_decided(each), each.meaning] for each in found])
+
+
+def verified_text(found: list[tuple[Decision, float | None]]) -> str:
+    """The same, and beside it the number that a run has found, and whether it says so too."""
+    return _lines([[*_decided(each), _afterwards(each, number), each.meaning] for each, number in found])
+
+
+def _lines(rows: list[list[str]]) -> str:
+    """Columns under each other; words, which are in all but that of the numbers, begin under each other."""
+    widths = [max(len(cell) for cell in column) for column in zip(*rows, strict=True)]
     return aligned(
         [
-            [
-                each.effect,
-                "on " if each.on else "off",
-                _number(each),
-                _verdict(each),
-                each.meaning.ljust(width),
-            ]
-            for each in found
+            [cell if column == NUMBERS else cell.ljust(widths[column]) for column, cell in enumerate(row)]
+            for row in rows
         ]
     )
+
+
+def _decided(decision: Decision) -> list[str]:
+    return [decision.effect, "on " if decision.on else "off", _number(decision), _verdict(decision)]
+
+
+def _afterwards(decision: Decision, number: float | None) -> str:
+    if number is None:
+        return "the run cannot tell"
+    return f"found {number:.2g}: " + ("confirmed" if is_confirmed(decision, number) else "not confirmed")
 
 
 def _number(decision: Decision) -> str:

@@ -44,6 +44,7 @@ def decisions(scene: Scene, wall: str) -> list[Decision]:
         _damage(scene),
         _friction(scene),
         _gravity(scene, wall),
+        _inertia(scene),
     ]
 
 
@@ -92,13 +93,18 @@ def _viscosity(scene: Scene) -> Decision:
     return Decision("bulk viscosity", scene.viscosity is not None, mach, 0.01, "impact speed by wave speed")
 
 
+def _strength(scene: Scene) -> float:
+    """Flow stress at a typical strain and rate [Pa]."""
+    flow, temperature = scene.material.flow, scene.bar.temperature
+    return max(flow_stress(flow, 0.0, TYPICAL_STRAIN, TYPICAL_RATE, temperature)[0], 1.0)
+
+
 def _damage(scene: Scene) -> Decision:
     material, bar = scene.material, scene.bar
     on = material.damage is not None
     if not isinstance(material.damage, JohnsonCookDamage) or material.flow is None:
         return Decision("damage", on, None, 0.1, "no damage law that says at which strain it fails")
-    strength = flow_stress(material.flow, 0.0, TYPICAL_STRAIN, TYPICAL_RATE, bar.temperature)[0]
-    strain = material.density * bar.velocity**2 / max(strength, 1.0)
+    strain = material.density * bar.velocity**2 / _strength(scene)
     failure = material.damage.D1 + material.damage.D2
     meaning = "strain of the foot rho v^2 / sigma_y by the failure strain without pressure"
     return Decision("damage", on, strain / failure, 0.1, meaning)
@@ -111,3 +117,12 @@ def _friction(scene: Scene) -> Decision:
 def _gravity(scene: Scene, wall: str) -> Decision:
     change = STANDARD_GRAVITY * scene.end.limit(wall) / -scene.bar.velocity
     return Decision("gravity", False, change, 0.01, "change of speed g t by the impact speed")
+
+
+def _inertia(scene: Scene) -> Decision:
+    material = scene.material
+    if material.flow is None:
+        return Decision("inertia", True, None, 0.01, "no flow law: nothing takes the motion up for good")
+    work = TYPICAL_STRAIN * _strength(scene)
+    number = 0.5 * material.density * scene.bar.velocity**2 / work
+    return Decision("inertia", True, number, 0.01, "kinetic energy by the plastic work of a strain of 0.1")

@@ -5,19 +5,24 @@ from dataclasses import asdict, replace
 
 import pytest
 
-from core_models.errors import UnsupportedError
+from core_models.errors import RunFailure, UnsupportedError
 from studies.command_line import main
+from studies.costs import Cost
 from studies.effects_study import study
-from studies.effects_study.decision_text import decisions_text
+from studies.effects_study.afterwards import is_confirmed, verified
+from studies.effects_study.decision_text import decisions_text, verified_text
 from studies.effects_study.decisions import decisions, disagreements
 from studies.effects_study.off import OffCost, all_off, never_had
 from studies.effects_study.study import compare_effects, planned
 from studies.effects_study.switched import AS_IT_IS, Switched
 from studies.effects_study.switches import SWITCHES
 from studies.effects_study.tables import verdict_table
+from studies.history import COLUMNS, ENERGIES, History
 from studies.plan_text import plan_text
 from studies.run_record import to_json
+from studies.run_result import RunResult
 from studies.scene_reader import read_scene
+from studies.taylor_impact import Quantity
 from studies.work_precision.measurement import Measurement
 
 SCENES = ("taylor-classic", "taylor-copper-jc", "taylor-copper-mts", "taylor-ofhc-190")
@@ -76,6 +81,59 @@ def test_check_says_every_decision_with_number_and_threshold(copper):
     """The text of `matpoint check` has them all."""
     text = plan_text(copper, ("mpm",), (4,), None)
     assert decisions_text(decisions(copper, "unilateral")) in text and "≥ 0.02" in text
+
+
+@pytest.fixture
+def ended(copper):
+    """A run that has come to its end, with numbers of our own: half of its energy is no longer kinetic."""
+    history = History(None, 1.0)
+    history._rows = [tuple(float(name == "t") * t for name in COLUMNS) for t in (0.0, 50e-6)]
+    history._rows[1] = tuple(
+        1e6 if name == "wall_force" else x for name, x in zip(COLUMNS, history._rows[1], strict=True)
+    )
+    energies = dict.fromkeys(ENERGIES, 0.0) | {
+        "initial": 400.0,
+        "kinetic": 200.0,
+        "viscosity": 2.0,
+        "plastic": 150.0,
+    }
+    quantities = {"max_temperature": Quantity(294.0 + 531.0, "K")}
+    return RunResult(
+        copper, "fem-explicit", 4, "unilateral", 1, history, Cost(), energies=energies, quantities=quantities
+    )  # fmt: skip
+
+
+def test_a_run_verifies_what_was_decided(ended):
+    """Numbers worked out by hand; each confirms what the scene has, or does not, or cannot tell."""
+    numbers = {decision.effect: (decision, number) for decision, number in verified(ended)}
+    assert numbers["plastic heating"][1] == pytest.approx(0.5)
+    assert numbers["bulk viscosity"][1] == pytest.approx(0.005) and numbers["inertia"][1] == pytest.approx(
+        2.0
+    )
+    bar, density = ended.scene.bar, ended.scene.material.density
+    section = 2.0 * 400.0 / bar.velocity**2 / (density * bar.length)
+    assert numbers["equation of state"][1] == pytest.approx(1e6 / section / 136.35e9)
+    assert is_confirmed(*numbers["plastic heating"]) and is_confirmed(*numbers["heat conduction"])
+    assert is_confirmed(*numbers["bulk viscosity"]) is False
+    assert is_confirmed(*numbers["wall friction"]) is None and numbers["damage"][1] is None
+    text = verified_text(verified(ended))
+    assert "found 0.5: confirmed" in text and "found 0.005: not confirmed" in text
+    assert "the run cannot tell" in text
+
+
+def test_heating_that_was_left_out_is_missed_by_the_work_that_would_heat(ended):
+    """Without heating the mean rise that the plastic work makes stands in for the temperature."""
+    ended.scene = replace(ended.scene, material=replace(ended.scene.material, heating=None))
+    decision, number = verified(ended)[0]
+    mass = 2.0 * 400.0 / ended.scene.bar.velocity**2
+    assert number == pytest.approx(0.9 * 150.0 / (mass * 383.0) / (1356.0 - 294.0), rel=0.05)
+    assert is_confirmed(decision, number) is (number < decision.threshold)
+
+
+def test_a_failed_run_verifies_nothing(ended):
+    """No number is found."""
+    ended.failure = RunFailure("gone wrong")
+    assert {number for _, number in verified(ended)} == {None}
 
 
 def test_every_switch_turns_its_effect_round(copper):
