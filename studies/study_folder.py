@@ -1,15 +1,18 @@
 """The folder of a study: new, or that of one which was stopped; results are kept in it as soon as they are there."""
 
 import json
+import logging
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from core_models.compilation import source_hash
 from core_models.errors import OutputError
 from studies.output_folder import OutputFolder, ResumedFolder
 from studies.run_record import to_json
 
+logger = logging.getLogger(__name__)
 SETTINGS = "study.json"
 KEPT = "runs"
 
@@ -19,18 +22,29 @@ def study_folder(path: Path | str, settings: dict[str, Any], going_on: bool) -> 
     """The folder, ours until the end; settings say which study it holds.
 
     going_on : it is that of a study with the same settings, which was stopped. Raises OutputError for a folder that is
-    in use, or that another study was started in.
+    in use, or that another study was started in; warns if other sources did.
     """
     with ResumedFolder(path) if going_on else OutputFolder(path) as folder:
+        now = {"sources": source_hash()} | settings
         if going_on:
-            _check_settings(folder.path, settings)
-        folder.write_text(SETTINGS, to_json(settings))
+            before = _before(folder.path)
+            _check_settings(folder.path, before, settings)
+            if before.get("sources") != now["sources"]:
+                logger.warning(
+                    "%s: was started with other sources of matpoint; what has been kept is not made again. Start "
+                    "another with --out for results of one kind",
+                    path,
+                )
+        folder.write_text(SETTINGS, to_json(now))
         yield folder
 
 
-def _check_settings(path: Path, settings: dict[str, Any]) -> None:
+def _before(path: Path) -> dict[str, Any]:
     file = path / SETTINGS
-    before = json.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
+    return json.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
+
+
+def _check_settings(path: Path, before: dict[str, Any], settings: dict[str, Any]) -> None:
     if before.get("study") != settings["study"]:
         raise OutputError(f"{path}: holds no {settings['study']} study to go on with; start one with --out")
     for name, value in json.loads(to_json(settings)).items():
