@@ -9,7 +9,8 @@ from studies.bar_necking import quantity
 from studies.necking.methods import IMPLICIT, METHODS, pulled
 from studies.necking.reader import read_necking_scene
 from studies.necking.scene import NeckingScene, PlannedRun
-from studies.variants import KIND, WORDS, Variant, read_variant
+from studies.solver_options import ELEMENTS, PARTICLES
+from studies.variants import KIND, Variant, read_variant
 from studies.work_precision.problem import Reference, WorkProblem
 
 PULL = 6.05e-3  # m: the last radius is taken at 6 mm
@@ -32,13 +33,12 @@ RESOLUTIONS = {
 }
 VARIANTS = tuple(RESOLUTIONS)
 PLANE_KINDS = {KIND: ("quad4", "quad8", "tri6"), "integration": ("full", "reduced")}
-MATERIAL_POINTS = {name: WORDS["mpm"][name] for name in ("interpolation", "transfer", "cure", "seeding")}
 NECKING_WORDS = {
     "fem-implicit": PLANE_KINDS | {"cure": ("none", "mean-dilatation", "linear-dilatation")},
-    "mpm-implicit": {"cure": ("none", "mean-dilatation"), "interpolation": ("quadratic", "cubic")},
-    "fem-explicit": PLANE_KINDS | {"cure": WORDS["fem-explicit"]["cure"]},
-    "mpm-tl": MATERIAL_POINTS,
-    "mpm": MATERIAL_POINTS,
+    "mpm-implicit": {"cure": PARTICLES["cure"], "interpolation": ("quadratic", "cubic")},
+    "fem-explicit": PLANE_KINDS | {"cure": ELEMENTS["cure"]},
+    "mpm-tl": PARTICLES,
+    "mpm": PARTICLES,
 }
 JOINT = Reference(None, 0.0, "joint extrapolation of all runs")
 
