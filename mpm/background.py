@@ -58,7 +58,7 @@ class Background:
 
     def renew(self, particles: int) -> None:
         """Make the grid of the box anew, for so many particles."""
-        self.grid = make_grid(self.cell_size, self._base, self.box)
+        self.grid = make_grid(self.cell_size, self._base, self.box, particles)
         self.order = make_order(particles, self.grid)
         self.blocks = 0
 
@@ -84,7 +84,8 @@ class Background:
         if (seen == MOVED).any():
             sort_particles(order)
             self.blocks = lay_out(self.geometry, self.grid, order)
-            self.grid = with_storage(self.geometry, self.grid, self.blocks)
+            grid = self.grid._replace(stored=order.stored[: self.blocks])
+            self.grid = with_storage(self.geometry, grid, self.blocks)
             self.energies = np.zeros((self.blocks, 2))
             self.sums = np.zeros((int(order.colours[-1]), 2))
         return None

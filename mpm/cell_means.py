@@ -78,7 +78,7 @@ def gather_means(
         corner = block_corner(grid, home)
         for place in range(PAIR * WIDE ** dimension_of(geometry)):
             tile[place] = 0.0
-        for place in range(order.start[home], order.start[home + 1]):
+        for place in range(order.start[home], order.stop[home]):
             p = order.particles[place]
             at, x, y, z = stand_in_cell(geometry, grid, positions, p, corner)
             volume, value = volumes[p], values[p]

@@ -47,7 +47,7 @@ def take_pressures(first, last, scratch, geometry, shape, grid, order, positions
         home = grid.homes[number]
         corner = block_corner(grid, home)
         fetch_means(geometry, grid, home, sums, tile)
-        for place in range(order.start[home], order.start[home + 1]):
+        for place in range(order.start[home], order.stop[home]):
             p = order.particles[place]
             at, x, y, z = stand_in_cell(geometry, grid, positions, p, corner)
             own = (stress[p, 0] + stress[p, 1] + stress[p, 2]) * THIRD
@@ -69,7 +69,7 @@ def take_ratios(
         home = grid.homes[number]
         corner = block_corner(grid, home)
         fetch_means(geometry, grid, home, sums, tile)
-        for place in range(order.start[home], order.start[home + 1]):
+        for place in range(order.start[home], order.stop[home]):
             p = order.particles[place]
             at, x, y, z = stand_in_cell(geometry, grid, positions, p, corner)
             change = mean_at(geometry, tile, at, x, y, z) * volumes[p] / (reference[p] * volume_ratio[p])

@@ -30,7 +30,8 @@ class Grid(NamedTuple):
 
     h, over_h : cell size [m] and its inverse. base : (3,) [m]. low : (3,) block that the box begins with, counted from
     base. shape : (3,) blocks of the box. table : (blocks of the box,) number of each in storage, or -1; x runs fastest.
-    homes : places in the table of the blocks that hold particles, colour by colour. nodes, after : flat records.
+    homes : places in the table of the blocks that hold particles, colour by colour. stored : places of the blocks
+    with storage, by number. nodes, after : flat records.
     """
 
     h: float
@@ -40,6 +41,7 @@ class Grid(NamedTuple):
     shape: np.ndarray
     table: np.ndarray
     homes: np.ndarray
+    stored: np.ndarray
     nodes: np.ndarray
     after: np.ndarray
 
@@ -81,8 +83,8 @@ def find_box(cell_size: float, base: np.ndarray, positions: np.ndarray) -> np.nd
     return np.array([first, shape], dtype=np.int64)
 
 
-def make_grid(cell_size: float, base: np.ndarray, box: np.ndarray) -> Grid:
-    """Grid of a box (2, 3) of blocks, as `find_box` returns it, without storage yet."""
+def make_grid(cell_size: float, base: np.ndarray, box: np.ndarray, particles: int) -> Grid:
+    """Grid of a box (2, 3) of blocks, as `find_box` returns it, for so many particles, without storage yet."""
     low, shape = box
     count = int(shape.prod())
     return Grid(
@@ -92,7 +94,8 @@ def make_grid(cell_size: float, base: np.ndarray, box: np.ndarray) -> Grid:
         low,
         shape,
         np.full(count, -1, dtype=np.int32),
-        np.zeros(count, dtype=np.int32),
+        np.zeros(min(particles, count), dtype=np.int32),
+        np.zeros(min(NEXT**3 * particles, count), dtype=np.int32),
         np.zeros(0),
         np.zeros(0),
     )

@@ -33,7 +33,7 @@ def gather_heat(
         home = grid.homes[number]
         corner = block_corner(grid, home)
         clear_tile(geometry, shape, tile, VELOCITY)
-        for place in range(order.start[home], order.start[home + 1]):
+        for place in range(order.start[home], order.stop[home]):
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
             capacity = capacities[p]
@@ -71,7 +71,7 @@ def conduct(
         corner = block_corner(grid, home)
         fetch_tile(geometry, shape, grid, home, field, VELOCITY, tile)
         clear_tile(geometry, shape, flow, VELOCITY)
-        for place in range(order.start[home], order.start[home + 1]):
+        for place in range(order.start[home], order.stop[home]):
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
             start = place_in_tile(shape, corner, i, j, k)
@@ -110,7 +110,7 @@ def warm_particles(
         home = grid.homes[number]
         corner = block_corner(grid, home)
         fetch_tile(geometry, shape, grid, home, field, VELOCITY, tile)
-        for place in range(order.start[home], order.start[home + 1]):
+        for place in range(order.start[home], order.stop[home]):
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
             start = place_in_tile(shape, corner, i, j, k)
@@ -126,16 +126,16 @@ def mirror(geometry, grid, axis, beyond, image, field, column, back):
     """
     count = block_nodes(geometry)
     stride, place, steps, offset = layer(grid, axis, beyond, image)
-    for home in range(grid.table.shape[0] if 0 <= place < grid.shape[axis] else 0):
-        if (home // stride) % grid.shape[axis] != place or grid.table[home] < 0:
+    for block in range(grid.stored.shape[0] if 0 <= place < grid.shape[axis] else 0):
+        if (grid.stored[block] // stride) % grid.shape[axis] != place:
             continue
-        partner = grid.table[home + steps * stride]
+        partner = grid.table[grid.stored[block] + steps * stride]
         if partner < 0:
             continue
         for local in range(count):
             if (local >> (2 * axis)) & 3 != beyond & 3:
                 continue
-            outer = VELOCITY * (grid.table[home] * count + local) + column
+            outer = VELOCITY * (block * count + local) + column
             inner = VELOCITY * (partner * count + local + offset) + column
             if back:
                 field[outer] = field[inner]

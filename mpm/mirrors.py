@@ -77,16 +77,16 @@ def fold(geometry, grid, axis, beyond, image, records, size):
     count = block_nodes(geometry)
     stride, place, steps, offset = layer(grid, axis, beyond, image)
     total = 0.0
-    for home in range(grid.table.shape[0] if 0 <= place < grid.shape[axis] else 0):
-        if (home // stride) % grid.shape[axis] != place or grid.table[home] < 0:
+    for block in range(grid.stored.shape[0] if 0 <= place < grid.shape[axis] else 0):
+        if (grid.stored[block] // stride) % grid.shape[axis] != place:
             continue
-        partner = grid.table[home + steps * stride]
+        partner = grid.table[grid.stored[block] + steps * stride]
         if partner < 0:
             continue
         for local in range(count):
             if (local >> (2 * axis)) & 3 != beyond & 3:
                 continue
-            source = size * (grid.table[home] * count + local)
+            source = size * (block * count + local)
             target = size * (partner * count + local + offset)
             total += records[source + size - VELOCITY + axis]
             for c in range(size):
@@ -104,16 +104,16 @@ def reflect(geometry, grid, axis, beyond, image, velocities, size):
     """
     count = block_nodes(geometry)
     stride, place, steps, offset = layer(grid, axis, beyond, image)
-    for home in range(grid.table.shape[0] if 0 <= place < grid.shape[axis] else 0):
-        if (home // stride) % grid.shape[axis] != place or grid.table[home] < 0:
+    for block in range(grid.stored.shape[0] if 0 <= place < grid.shape[axis] else 0):
+        if (grid.stored[block] // stride) % grid.shape[axis] != place:
             continue
-        partner = grid.table[home + steps * stride]
+        partner = grid.table[grid.stored[block] + steps * stride]
         if partner < 0:
             continue
         for local in range(count):
             if (local >> (2 * axis)) & 3 != beyond & 3:
                 continue
-            target = size * (grid.table[home] * count + local)
+            target = size * (block * count + local)
             source = size * (partner * count + local + offset)
             for c in range(3):
                 velocities[target + c] = -velocities[source + c] if c == axis else velocities[source + c]

@@ -39,7 +39,7 @@ def remap(
         home = grid.homes[number]
         corner = block_corner(grid, home)
         clear_tile(geometry, shape, tile, VELOCITY)
-        for place in range(order.start[home], order.start[home + 1]):
+        for place in range(order.start[home], order.stop[home]):
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
             start = place_in_tile(shape, corner, i, j, k)

@@ -9,36 +9,46 @@ from typing import NamedTuple
 import numpy as np
 
 from core_models.compilation import CHUNK, inside_kernel, kernel
+from core_models.geometry import Geometry
 from mpm.geometries import dimension_of, stand
 from mpm.grid import EDGE, Grid
 
+HOMES, STORED = 0, 1
 SAME, MOVED = -1, -2  # what `locate_particles` says of a chunk, unless it names a particle outside the box
 
 
 class Order(NamedTuple):
-    """particles[start[b] : start[b + 1]] are at home in block b of the table.
+    """particles[start[b] : stop[b]] are at home in block b of the table; blocks that are no homes have stop = 0.
 
     keys : (n,) block of each particle. seen : per chunk of particles, written by `locate_particles`.
-    colours : (9,) first of the grid's homes of each colour.
+    homes, stored : blocks that are homes, and blocks with storage, in order, then what is left of earlier ones;
+    sizes : (2,) how many there are now. colours : (9,) first of the grid's homes of each colour.
     """
 
     particles: np.ndarray
     keys: np.ndarray
     start: np.ndarray
+    stop: np.ndarray
     seen: np.ndarray
+    homes: np.ndarray
+    stored: np.ndarray
+    sizes: np.ndarray
     colours: np.ndarray
 
 
 def make_order(particles: int, grid: Grid) -> Order:
     """Room for the order of particles on a grid."""
     return Order(
-        np.zeros(
-            particles, dtype=np.uint32
-        ),  # unsigned: kernels need not ask whether they count from the end
-        np.full(particles, -1, dtype=np.int32),
-        np.zeros(len(grid.table) + 1, dtype=np.int32),
-        np.zeros(-(-particles // CHUNK), dtype=np.int64),
-        np.zeros(9, dtype=np.int64),
+        # Unsigned: kernels need not ask whether they count from the end.
+        particles=np.zeros(particles, dtype=np.uint32),
+        keys=np.full(particles, -1, dtype=np.int32),
+        start=np.zeros(len(grid.table), dtype=np.int32),
+        stop=np.zeros(len(grid.table), dtype=np.int32),
+        seen=np.zeros(-(-particles // CHUNK), dtype=np.int64),
+        homes=np.zeros_like(grid.homes),
+        stored=np.zeros_like(grid.stored),
+        sizes=np.zeros(2, dtype=np.int64),
+        colours=np.zeros(9, dtype=np.int64),
     )
 
 
@@ -93,59 +103,87 @@ def is_inside_depth(geometry, node, blocks):
     return dimension_of(geometry) == 2 or is_inside(node, blocks)
 
 
-@kernel
-def sort_particles(order):
-    """Order the particles by home, those of one home by number (a counting sort)."""
-    keys, start, particles = order.keys, order.start, order.particles
-    for block in range(start.shape[0]):
-        start[block] = 0
-    for p in range(keys.shape[0]):
-        start[keys[p] + 1] += 1
-    for block in range(start.shape[0] - 1):
-        start[block + 1] += start[block]
-    for p in range(keys.shape[0]):
-        particles[start[keys[p]]] = p
-        start[keys[p]] += 1
-    for block in range(start.shape[0] - 1, 0, -1):
-        start[block] = start[block - 1]
-    start[0] = 0
+def sort_particles(order: Order) -> None:
+    """Order the particles by home, those of one home by number: a counting sort over the homes, however far apart."""
+    list_homes(order)
+    order.homes[: order.sizes[HOMES]].sort()
+    put_in_order(order)
 
 
 @kernel
-def lay_out(geometry, grid, order):
+def list_homes(order):
+    """List the blocks that are homes, and count in `stop` the particles of each."""
+    keys, stop, homes, sizes = order.keys, order.stop, order.homes, order.sizes
+    for number in range(sizes[HOMES]):
+        stop[homes[number]] = 0
+    count = 0
+    for p in range(keys.shape[0]):
+        if stop[keys[p]] == 0:
+            homes[count] = keys[p]
+            count += 1
+        stop[keys[p]] += 1
+    sizes[HOMES] = count
+
+
+@kernel
+def put_in_order(order):
+    """Put the particles in the order of the homes that `list_homes` has listed and counted."""
+    keys, start, stop, particles = order.keys, order.start, order.stop, order.particles
+    before = 0
+    for number in range(order.sizes[HOMES]):
+        home = order.homes[number]
+        start[home] = before
+        before += stop[home]
+        stop[home] = start[home]
+    for p in range(keys.shape[0]):
+        particles[stop[keys[p]]] = p
+        stop[keys[p]] += 1
+
+
+def lay_out(geometry: Geometry, grid: Grid, order: Order) -> int:
     """List the homes colour by colour and number the blocks that need storage; returns how many there are."""
-    table, homes, start, shape = grid.table, grid.homes, order.start, grid.shape
-    for place in range(table.shape[0]):
-        table[place] = -1
+    list_blocks(geometry, grid, order)
+    blocks = int(order.sizes[STORED])
+    order.stored[:blocks].sort()
+    grid.table[order.stored[:blocks]] = np.arange(blocks, dtype=np.int32)
+    return blocks
+
+
+@kernel
+def list_blocks(geometry, grid, order):
+    """List the homes colour by colour, and the blocks that their particles reach."""
+    table, shape, stored, sizes = grid.table, grid.shape, order.stored, order.sizes
+    for block in range(sizes[STORED]):
+        table[stored[block]] = -1
     depth = 2 if dimension_of(geometry) == 3 else 1
-    count, colour = 0, 0
+    count, colour, blocks = 0, 0, 0
     for z in range(depth):
         for y in range(2):
             for x in range(2):
                 order.colours[colour] = count
                 colour += 1
-                for k in range(z, shape[2], 2):
-                    for j in range(y, shape[1], 2):
-                        for i in range(x, shape[0], 2):
-                            home = i + shape[0] * (j + shape[1] * k)
-                            if start[home + 1] > start[home]:
-                                homes[count] = home
-                                count += 1
-                                mark(table, shape, home, depth)
+                for number in range(sizes[HOMES]):
+                    home = order.homes[number]
+                    row, i = divmod(home, shape[0])
+                    k, j = divmod(row, shape[1])
+                    if i & 1 == x and j & 1 == y and k & 1 == z:
+                        grid.homes[count] = home
+                        count += 1
+                        blocks = mark(table, stored, shape, home, depth, blocks)
     for rest in range(colour, order.colours.shape[0]):
         order.colours[rest] = count
-    blocks = 0
-    for place in range(table.shape[0]):
-        if table[place] == 0:
-            table[place] = blocks
-            blocks += 1
-    return blocks
+    sizes[STORED] = blocks
 
 
 @inside_kernel
-def mark(table, shape, home, depth):
-    """Mark the blocks that the particles of one home reach."""
+def mark(table, stored, shape, home, depth, blocks):
+    """Add the blocks that the particles of one home reach to the `blocks` listed so far; returns how many there are."""
     for k in range(depth):
         for j in range(2):
             for i in range(2):
-                table[home + i + shape[0] * (j + shape[1] * k)] = 0
+                place = home + i + shape[0] * (j + shape[1] * k)
+                if table[place] < 0:
+                    table[place] = 0
+                    stored[blocks] = place
+                    blocks += 1
+    return blocks

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from core_models.compilation import CHUNK
-from core_models.errors import RunFailure
+from core_models.errors import RunFailure, SceneError
 from core_models.geometry import axis_names
 from core_models.load_checks import damping_rate
 from core_models.redo import VANISHING_STEP, redoing, step_within
@@ -47,7 +47,7 @@ class Stepping:
         outside = background.follow(self._places)
         if outside is not None:
             self._check_inside(outside)
-            background.surround(self._places)
+            self._surround(outside)
             background.follow(self._places)
         viscous = points.viscous_pressure
         if self._cure is not None:
@@ -152,6 +152,14 @@ class Stepping:
                 self.points.deformation_gradient,
                 self.volume_ratio,
             )
+
+    def _surround(self, particle: int) -> None:
+        """Make a grid that has room for this particle too; RunFailure where it has gone too far."""
+        try:
+            self._background.surround(self._places)
+        except SceneError as error:
+            where = self.points.place(self.step_count + 1, self.time, particle)
+            raise RunFailure(f"{where}: the particle has flown too far from the others: {error}") from error
 
     def _check_inside(self, particle: int) -> None:
         """Raise RunFailure for a particle that no grid could hold."""

@@ -49,7 +49,7 @@ def to_particles(
         fetch_tile(geometry, shape, grid, home, grid.after, VELOCITY, tile)
         fetch_second(second, geometry, shape, grid, home, second_size, scratch.second)
         energy, fastest = lanes(0.0, 0.0, 0.0, 0.0), 0.0
-        for place in range(order.start[home], order.start[home + 1]):
+        for place in range(order.start[home], order.stop[home]):
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
             start = place_in_tile(shape, corner, i, j, k)

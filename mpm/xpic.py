@@ -35,7 +35,7 @@ def resample(
         corner = block_corner(grid, home)
         fetch_tile(geometry, shape, grid, home, source, size, field)
         clear_tile(geometry, shape, tile, VELOCITY)
-        for place in range(order.start[home], order.start[home + 1]):
+        for place in range(order.start[home], order.stop[home]):
             p = order.particles[place]
             i, j, k, t = stand(geometry, shape, grid, positions, p)
             start = place_in_tile(shape, corner, i, j, k)

@@ -35,6 +35,7 @@ BAD_INPUT, INTERRUPTED = 2, 130
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; returns its exit status: 0, 1 unmet criteria, 2 bad input, 3 a run that went wrong."""
     tolerate_any_text()
+    options = None
     try:
         with interruptible():
             check_own_packages()
@@ -43,7 +44,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             sys.stdout.flush()
             return status
     except KeyboardInterrupt as interrupt:
-        print("matpoint: interrupted; what had been written is kept, without run.json", file=sys.stderr)
+        going_on = ": --resume with its folder goes on" if hasattr(options, "resume") else ""
+        print(f"matpoint: interrupted; what had been written is kept{going_on}", file=sys.stderr)
         return getattr(interrupt, "exit_status", INTERRUPTED)
     except BrokenPipeError:
         discard_output()

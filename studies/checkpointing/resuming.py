@@ -1,5 +1,6 @@
 """Going on with a run that was killed, interrupted, or ran out of disk."""
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -23,12 +24,21 @@ def resume(
     when the run goes wrong.
     """
     with ResumedFolder(path) as folder:
-        if (folder.path / "run.json").exists() and not can_go_on(folder):
-            raise OutputError(f"{path}: the run there has ended; nothing is left to resume")
+        record = folder.path / "run.json"
+        if record.exists() and not can_go_on(folder):
+            raise OutputError(
+                f"{path}: {_why_not(json.loads(record.read_text(encoding='utf-8'))['message'])}"
+            )
         result = go_on(folder, threads=threads, interval=interval, progress=progress)
     if result.failure is not None:
         raise result.failure
     return result
+
+
+def _why_not(message: str) -> str:
+    if message:
+        return f"the run there went wrong before its first checkpoint ({message}); start it anew with matpoint run"
+    return "the run there has ended; nothing is left to resume"
 
 
 def can_go_on(folder: OutputFolder) -> bool:

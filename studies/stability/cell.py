@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from core_models.errors import MatpointError
-from studies.stability.case import Case
+from studies.stability.case import LARGEST_DRIFT, Case
 
 STABLE, RESCUED, REFUSED, FAILED = "stable", "stable after redoing steps", "refused", "failed"
 QUICKLY = 10  # times fewer steps
@@ -19,7 +19,7 @@ WATCH = 50  # looks at the body in a run
 @dataclass
 class Cell:
     """How a case went: verdict, why; steps, time [s]; largest energy error, smallest and largest J, smallest step [s],
-    redone steps; processor time [s] with compiling.
+    redone steps; pairs of neighbouring particles that have parted (mpm.fracture); processor time with compiling [s].
     """
 
     case: str
@@ -33,6 +33,7 @@ class Cell:
     largest_ratio: float = 1.0
     smallest_step: float = math.inf
     redone: int = 0
+    parted: int = 0
     seconds: float = 0.0
 
 
@@ -71,6 +72,8 @@ def run_cell(case: Case, variant: str, quick: bool) -> Cell:
     cell.redone, cell.seconds = redone.count, time.process_time() - start
     if cell.verdict == STABLE and not cell.drift <= case.drift:
         cell.verdict, cell.why = FAILED, f"the energy is off by {100.0 * cell.drift:.3g} %"
+    elif cell.verdict == STABLE and cell.why:
+        cell.verdict = FAILED
     elif cell.verdict == STABLE and cell.redone:
         cell.verdict = RESCUED
     return cell
@@ -82,6 +85,7 @@ def _cuts(solver: Any) -> int:
 
 
 def _advance(case: Case, solver: Any, cell: Cell, steps: int) -> None:
+    first = case.keeps[1](solver) if case.keeps else 0.0
     while solver.time < case.end and cell.steps < steps:
         if case.factor != 1.0:
             solver.time_step *= case.factor
@@ -92,15 +96,34 @@ def _advance(case: Case, solver: Any, cell: Cell, steps: int) -> None:
             cell.smallest_step = min(cell.smallest_step, solver.time - before)
         if cell.steps % max(steps // WATCH, 1) == 0 or cell.steps < WATCH:
             _look(solver, cell)
-            if not cell.drift <= case.drift:
+            cell.why = _missing(case, solver, cell, first)
+            if cell.why or not cell.drift <= case.drift:
                 return
     _look(solver, cell)
+    cell.why = _missing(case, solver, cell, first)
 
 
 def _look(solver: Any, cell: Cell) -> None:
     cell.drift = max(cell.drift, energy_drift(solver))
     cell.smallest_ratio = min(cell.smallest_ratio, float(solver.points.volume_ratio.min()))
     cell.largest_ratio = max(cell.largest_ratio, float(solver.points.volume_ratio.max()))
+    fracture = solver.numerical_fracture() if hasattr(solver, "numerical_fracture") else None
+    cell.parted = 0 if fracture is None else fracture.pairs
+
+
+def _missing(case: Case, solver: Any, cell: Cell, first: float) -> str:
+    """What the body has lost of what it has to keep, `first` of it at the start; nothing where it has kept all."""
+    if case.keeps is None:
+        return ""
+    name, quantity = case.keeps
+    kept = quantity(solver) / first
+    if not abs(kept - 1.0) <= LARGEST_DRIFT:
+        return f"{100.0 * kept:.3g} % of the {name} is left at t = {solver.time:.4g} s"
+    if cell.parted:
+        return (
+            f"numerical fracture: {cell.parted} pairs of particles have come apart by t = {solver.time:.4g} s"
+        )
+    return ""
 
 
 def energy_drift(solver: Any) -> float:

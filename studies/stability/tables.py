@@ -115,6 +115,7 @@ def _numbers(cells: list[dict[str, Any]]) -> Table:
         "largest J",
         "smallest step [s]",
         "redone",
+        "pairs parted",
         "processor time [s]",
     )
     rows = tuple(
@@ -128,6 +129,7 @@ def _numbers(cells: list[dict[str, Any]]) -> Table:
             cell.get("largest_ratio"),
             cell["smallest_step"],
             cell["redone"],
+            cell.get("parted"),
             cell["seconds"],
         )
         for cell in cells

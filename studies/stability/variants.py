@@ -18,8 +18,12 @@ EXPLICIT = (
     "mpm:total",
 )
 IMPLICIT = ("fem-implicit", "fem-implicit:quad8+none", "mpm-implicit", "mpm-implicit:cubic")
-_KINDS = {"fem-implicit": PLANAR_KINDS, "mpm-implicit": ("quad4",)}
-_WORDS = WORDS | {solver: {KIND: kinds, **SOLVER_OPTIONS[solver]} for solver, kinds in _KINDS.items()}
+# The cases are bodies in the plane or with axial symmetry.
+_EXPLICIT = {"fem-explicit": PLANAR_KINDS, "mpm": ("quad4",)}
+_IMPLICIT = {"fem-implicit": PLANAR_KINDS, "mpm-implicit": ("quad4",)}
+_WORDS = {solver: WORDS[solver] | {KIND: kinds} for solver, kinds in _EXPLICIT.items()} | {
+    solver: {KIND: kinds, **SOLVER_OPTIONS[solver]} for solver, kinds in _IMPLICIT.items()
+}
 
 
 def variant_of(name: str) -> Variant:
@@ -29,4 +33,4 @@ def variant_of(name: str) -> Variant:
 
 def is_implicit(name: str) -> bool:
     """Whether the variant of that name takes quasi-static increments instead of explicit steps."""
-    return variant_of(name).solver in _KINDS
+    return variant_of(name).solver in _IMPLICIT

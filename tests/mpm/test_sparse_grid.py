@@ -81,6 +81,34 @@ def test_a_particle_that_leaves_the_domain_ends_the_run(taylor, place):
     assert "\n" not in str(failure.value)
 
 
+def test_a_fragment_that_has_flown_too_far_ends_the_run(body):
+    """The run stops with a RunFailure of one line that names the particle and the grid that it would take."""
+    solver = body()
+    solver.advance()
+    solver.positions[5] = (1e5, 1e5)
+    with pytest.raises(
+        RunFailure, match=r"step 2, .* point 5 .* too far from the others: a grid of .* too large"
+    ):
+        solver.advance()
+
+
+def test_the_work_of_a_step_follows_blocks_with_storage_not_the_box(body):
+    """With a fragment a hundred bodies away lists of homes and blocks stay short, and nothing stale is left in them."""
+    solver = body()
+    solver.advance()
+    solver.positions[5] += 100.0 * np.ptp(solver.positions, axis=0)
+    solver.advance()
+    grid, order = solver._background.grid, solver._background.order
+    assert len(grid.table) > 1000 > 10 * len(grid.stored)
+    assert np.array_equal(np.flatnonzero(grid.table >= 0), grid.stored)
+    assert np.array_equal(grid.table[grid.stored], np.arange(len(grid.stored)))
+    homes = np.unique(order.keys)
+    assert np.array_equal(np.flatnonzero(order.stop), homes)
+    assert np.array_equal(
+        order.stop[homes] - order.start[homes], np.unique(order.keys, return_counts=True)[1]
+    )
+
+
 def test_a_grid_that_no_memory_would_hold_is_refused(bar, build, elastic):
     """Cells far too small are refused with the number of nodes they would need."""
     with pytest.raises(SceneError, match="too large: give larger cells"):

@@ -104,6 +104,19 @@ def test_a_full_disk_leaves_a_checkpoint_to_go_on_from(classic, tmp_path, monkey
     assert results(tmp_path / "out") == undisturbed
 
 
+def test_a_disk_that_is_full_from_the_start_leaves_nothing_to_go_on_from(classic, tmp_path, monkeypatch):
+    """Without a checkpoint the message repeats what went wrong and says to start anew."""
+
+    def full(file, **arrays):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr("numpy.savez", full)
+    with pytest.raises(DiskFull):
+        run(classic, "fem-explicit", 4, wall="plane", out=tmp_path / "out", interval=SOON)
+    with pytest.raises(OutputError, match="before its first checkpoint .*free space.*start it anew"):
+        resume(tmp_path / "out")
+
+
 def test_what_cannot_be_resumed_is_refused_by_what_it_is(stopped, tmp_path, monkeypatch, capsys):
     """No folder, no checkpoint, a damaged one, other code, a run that has ended; options that do not apply."""
     for folder, told in ((tmp_path / "none", "no such folder"), (tmp_path, "holds no checkpoint")):

@@ -32,6 +32,7 @@ class Pretended:
         self.time, self.step_count, self.time_step, self.place, self._act = 0.0, 0, 1.0, 0.0, act
         self.ledger = SimpleNamespace(relative_error=1e-3)
         self.points = SimpleNamespace(volume_ratio=np.array([1.3, 0.7]))
+        self.spin, self.numerical_fracture = -2.0, lambda: None
 
     def advance(self, limit):
         """One step."""
@@ -98,6 +99,28 @@ def test_a_cell_is_judged_by_what_happened(act, verdict, why):
         assert cell.largest_ratio == 1.3
 
 
+def slow_down(solver):
+    """A quantity that is lost."""
+    solver.spin *= 0.5
+
+
+def come_apart(solver):
+    """Two pairs of particles that part."""
+    solver.numerical_fracture = lambda: SimpleNamespace(pairs=2)
+
+
+@pytest.mark.parametrize(
+    ("act", "why"), [(slow_down, "50 % of the spin is left"), (come_apart, "2 pairs of particles")]
+)
+def test_a_body_that_has_to_keep_something_fails_without_it(act, why):
+    """Such a case ends at once where the quantity is lost or particles part, however good the energy is."""
+    case = Case("made", "", lambda variant: Pretended(act), 10.0, keeps=("spin", lambda solver: solver.spin))
+    cell = run_cell(case, "mpm", False)
+    assert cell.verdict == FAILED and why in cell.why and cell.steps == 5
+    free = run_cell(Case("made", "", lambda variant: Pretended(act), 10.0), "mpm", False)
+    assert free.verdict == STABLE and free.parted == (2 if act is come_apart else 0)
+
+
 def wrong():
     """Work that ends with an untyped error."""
     raise ValueError("no")
@@ -151,6 +174,13 @@ def test_a_fast_part_of_the_matrix(case, variant, verdict):
     """Cells that need no kernels of their own."""
     cell = run_cell(find_case(case), variant, True)
     assert cell.verdict == verdict, cell.why
+
+
+def test_variants_in_space_are_unknown_here():
+    """The cases are planar: a variant that none of them can have is bad input, not a refusal of the solver."""
+    for name in ("mpm:hex8", "fem-explicit:tet4", "mpm:spatial"):
+        with pytest.raises(SceneError, match="knows no"):
+            pairs([find_case("soft")], (name,))
 
 
 def test_cases_of_increments_are_for_implicit_variants():

@@ -64,5 +64,12 @@ CASES = (
         steps=20_000,
         factor=BEYOND,
     ),
-    Case("turning", "An elastic square that turns a thousand times", _turning, 1000.0 * TURN, 1_000_000),
+    Case(
+        "turning",
+        "An elastic square that turns a thousand times",
+        _turning,
+        1000.0 * TURN,
+        1_000_000,
+        keeps=("angular momentum", lambda solver: solver.angular_momentum),
+    ),
 )
