@@ -70,6 +70,7 @@ def predict(shot: str, card: str, method: str, resolution: int, within: float) -
         "steps": result.cost.steps,
         "seconds": result.cost.cpu_s,
         "measured": asked.measured,
+        "numerical_fracture": result.numerical_fracture,
         "predicted": predicted,
         "errors": errors,
         "profile_distance": _distance(asked, result),

@@ -124,7 +124,7 @@ def _runs(done: list[Result]) -> Table:
     rows = [
         (
             result["shot"], result["material"], result["temperature"], result["velocity"], result["card"],
-            result["method"], result["resolution"], result["steps"], result["seconds"],
+            result["method"], result["resolution"], result["steps"], result["seconds"], _parted(result),
             *(value for name in MEASURED for value in _triple(result, name)), _millimetres(result["profile_distance"]),
         )
         for result in done
@@ -135,9 +135,15 @@ def _runs(done: list[Result]) -> Table:
         for what in ("measured [mm]", "predicted [mm]", "error [%]")
     ]
     head = (
-        "shot", "metal", "K", "m/s", "card", "method", "resolution", "steps", "s", *columns, "profile [mm]"
+        "shot", "metal", "K", "m/s", "card", "method", "resolution", "steps", "s", "particles part at [s]", *columns,
+        "profile [mm]",
     )  # fmt: skip
     return Table("Runs", head, tuple(rows))
+
+
+def _parted(result: Result) -> float | None:
+    found = result.get("numerical_fracture")
+    return None if found is None else found["time"]
 
 
 def _triple(result: Result, name: str) -> tuple:

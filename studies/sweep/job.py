@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from core_models.errors import MatpointError, RunFailure
+from studies.sweep.remarks import remarks
 
 COMPLETE, FAILED = "complete", "failed"
 
@@ -19,11 +20,13 @@ class Job:
 
 
 def perform(job: Job) -> dict[str, Any]:
-    """The job's result with its status; an error becomes status 'failed' and its message."""
-    try:
-        return {"status": COMPLETE, "message": ""} | job.function(*job.arguments) | {"key": job.key}
-    except MatpointError as error:
-        return failed(job.key, str(error), error.exit_status)
+    """The job's result with its status and its remarks; an error becomes status 'failed' and its message."""
+    with remarks() as said:
+        try:
+            result = {"status": COMPLETE, "message": ""} | job.function(*job.arguments) | {"key": job.key}
+        except MatpointError as error:
+            result = failed(job.key, str(error), error.exit_status)
+    return result | {"remarks": list(said)}
 
 
 def failed(key: str, message: str, exit_status: int = RunFailure.exit_status) -> dict[str, Any]:

@@ -1,6 +1,7 @@
 """The experiments: the shots as data, their runs, and a sweep that is stopped, goes on and loses workers."""
 
 import json
+import logging
 import os
 import signal
 
@@ -9,11 +10,13 @@ import pytest
 from core_models.cards import shipped_materials
 from core_models.errors import OutputError, RunFailure, SceneError, UnsupportedError
 from studies.command_line import main
+from studies.commands.studies.experiments import _tell
 from studies.experiments.predictions import CARDS, predict, scene_of
 from studies.experiments.shots import read_shots
 from studies.experiments.study import compare_experiments
+from studies.fracture_watch import fracture_text
 from studies.output_folder import OutputFolder
-from studies.sweep.job import Job
+from studies.sweep.job import Job, perform
 from studies.sweep.processes import results_by_processes
 from studies.sweep.sweep import run_sweep
 
@@ -133,6 +136,33 @@ def test_processes_that_die_cost_their_own_job():
     assert results["two"]["value"] == 2
     assert results["wrong"]["message"] == "step 3: not finite"
     assert results["dies"]["status"] == "failed" and "died" in results["dies"]["message"]
+
+
+def remark_twice():
+    """Work that warns twice of the same."""
+    for name in ("core_models.cards.reader", "core_models.cards.reader", "distributed.worker"):
+        logging.getLogger(name).warning("%s: %s", "card.xml", "odd")
+    return {"value": 1}
+
+
+def test_a_job_keeps_its_remarks(capfd):
+    """They come with the result, each once, instead of on the worker's terminal; a worker's own do not."""
+    assert perform(Job("odd", remark_twice))["remarks"] == ["card.xml: odd"]
+    assert "card.xml" not in capfd.readouterr().err
+    assert perform(Job("two", double, (1,)))["remarks"] == perform(Job("wrong", go_wrong))["remarks"] == []
+
+
+def test_the_command_tells_a_remark_once(capfd):
+    """However many runs make it; numerical fracture stands in the line of the run."""
+    parted = {"time": 2e-5, "pairs": 3, "position": [0.0, 1e-3], "stretch": 3.0}
+    result = {"key": "shot", "status": "complete", "remarks": ["card.xml: odd", fracture_text(parted)]}
+    told = set()
+    _tell(result | {"numerical_fracture": parted}, 1, 2, 1.0, told)
+    _tell(result | {"remarks": ["card.xml: odd"]}, 2, 2, 2.0, told)
+    lines = capfd.readouterr().err.splitlines()
+    assert lines[0] == "card.xml: odd"
+    assert lines[1].endswith("shot complete: numerical fracture from t = 2.0000e-05 s on")
+    assert lines[2:] == ["[2/2, 0:00 left] shot complete"]
 
 
 def test_a_dask_sweep_that_loses_a_worker_gives_the_same(tmp_path):

@@ -48,14 +48,14 @@ def execute(options: argparse.Namespace) -> int:
     from studies.study_output import print_study
 
     out = Path(options.resume or options.out or default_folder("experiments"))
-    began = time.monotonic()
+    began, told = time.monotonic(), set()
     outcome = compare_experiments(
         out,
         quick=options.quick,
         going_on=options.resume is not None,
         scheduler=options.scheduler,
         workers=options.workers,
-        tell=lambda result, done, all_: _tell(result, done, all_, time.monotonic() - began),
+        tell=lambda result, done, all_: _tell(result, done, all_, time.monotonic() - began, told),
     )
     methods = tuple(dict.fromkeys(result["method"] for result in outcome.results if "method" in result))
     shown = sections(outcome.results, methods)[:2] if methods else ()
@@ -64,8 +64,18 @@ def execute(options: argparse.Namespace) -> int:
     return WRONG if outcome.failed else 0
 
 
-def _tell(result: dict, done: int, all_: int, passed: float) -> None:
-    said = "" if result["status"] == "complete" else f": {result['message'][:120]}"
+def _tell(result: dict, done: int, all_: int, passed: float, told: set[str]) -> None:
+    """One line a run, and what it remarks that no other has; numerical fracture is told by that line."""
+    from studies.fracture_watch import fracture_text
+
+    parted = result.get("numerical_fracture")
+    fracture = "" if parted is None else fracture_text(parted)
+    for remark in result.get("remarks", ()):
+        if remark != fracture and remark not in told:
+            told.add(remark)
+            print(remark, file=sys.stderr)
+    said = fracture.partition(":")[0] if result["status"] == "complete" else result["message"][:120]
+    said = f": {said}" if said else ""
     left = clock(passed / done * (all_ - done))
     print(
         f"[{done}/{all_}, {left} left] {result['key']} {result['status']}{said}", file=sys.stderr, flush=True
