@@ -117,7 +117,13 @@ def _plots(done: list[Result]) -> Iterable[Plot]:
             )
             for (card, method), runs in sorted(_by(_by_speed(group), "card", "method").items())
         ]
-        yield Plot(f"Error of the final length, {material}", "speed [m/s]", "error [%]", tuple(curves))
+        yield Plot(
+            f"Error of the final length, {material}",
+            "speed [m/s]",
+            "error [%]",
+            tuple(curves),
+            scattered=True,
+        )
 
 
 def _runs(done: list[Result]) -> Table:

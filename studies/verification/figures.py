@@ -13,19 +13,27 @@ MARKERS = ("o", "s", "^", "D", "v", "P", "X", "<", ">", "*", "h", "p")
 LINES = ("-", (0, (5, 1.5)), (0, (1.5, 1.2)), (0, (5, 1.2, 1.2, 1.2)))
 MANY = 15  # values of a curve above which they are not marked one by one
 SIZE = 4.6, 3.6  # inches
+MOST_LETTERS = 220  # of all labels, beyond which the legend stands below the axes
+LEGEND_ROW = 0.17  # inches
 PANEL, TALLEST = 3.0, 4.0  # inches, of one body in a picture: width, and height of an upright one
 
 
 def plot_svg(plot: Plot, problem: str) -> str:
     """One figure as an SVG element that follows the page's colours."""
-    with drawing(*SIZE) as (figure, ax):
+    longest = max(len(curve.label) for curve in plot.curves)
+    beside = len(plot.curves) * longest > MOST_LETTERS
+    width, height = SIZE
+    with drawing(width, height + beside * LEGEND_ROW * len(plot.curves)) as (figure, ax):
         markers, lines = cycle(MARKERS), {family: cycle(LINES) for family in COLOURS}
         for curve in plot.curves:
-            ax.plot(curve.x, curve.y, **_style(curve, markers, lines))
+            ax.plot(curve.x, curve.y, **_style(curve, markers, lines, plot.scattered))
         if plot.logarithmic:
             ax.set(xscale="log", yscale="log")
         ax.set(title=plot.title, xlabel=plot.x_label, ylabel=plot.y_label)
-        ax.legend(fontsize=7.5, ncols=1 + (len(plot.curves) > 6))
+        if beside:
+            figure.legend(fontsize=7.5, loc="outside lower left")
+        else:
+            ax.legend(fontsize=7.5, ncols=1 + (len(plot.curves) > 6))
         return as_svg(figure, f"{problem}-{plot.title}", f"{plot.title}: {plot.y_label} over {plot.x_label}")
 
 
@@ -68,10 +76,11 @@ def _range(picture: Picture) -> tuple[float, float]:
     return float(values.min()), float(values.max())
 
 
-def _style(curve: Curve, markers, lines) -> dict:
-    exact = curve.family == "exact"
+def _style(curve: Curve, markers, lines, scattered: bool) -> dict:
     style = {"label": curve.label, "color": COLOURS[curve.family], "linewidth": 1.0}
-    if exact:
+    if scattered:
+        return style | {"linestyle": "", "marker": next(markers), "markersize": 4.0, "fillstyle": "none"}
+    if curve.family == "exact":
         return style | {"linestyle": "--"}
     style["linestyle"] = next(lines[curve.family])
     return style if len(curve.x) > MANY else style | {"marker": next(markers), "markersize": 3.5}

@@ -50,13 +50,14 @@ class Curve:
 
 @dataclass(frozen=True)
 class Plot:
-    """Curves over one pair of axes."""
+    """Curves over one pair of axes. scattered : their points belong to no order, and no line connects them."""
 
     title: str
     x_label: str
     y_label: str
     curves: tuple[Curve, ...]
     logarithmic: bool = False
+    scattered: bool = False
 
 
 @dataclass(frozen=True)

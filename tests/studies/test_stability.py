@@ -19,7 +19,7 @@ from studies.command_line import main
 from studies.stability.case import Case
 from studies.stability.cases import all_cases, find_case
 from studies.stability.cell import FAILED, REFUSED, RESCUED, STABLE, run_cell
-from studies.stability.isolated import judged
+from studies.stability.isolated import Task, results_of
 from studies.stability.study import VARIANTS, pairs, survey_stability
 from studies.stability.tables import summary
 from studies.stability.true_limit import true_limit
@@ -144,9 +144,25 @@ def crash():
 )
 def test_what_hangs_or_crashes_has_failed(work, why, capfd):
     """A process that sleeps, loops, dies, or wants too much memory costs its own cell."""
-    cell = judged("made", "mpm", work, 0.05 if "0.05" in why else 1.0)
+    (cell,) = results_of([Task("made", "mpm", work)], 0.05 if "0.05" in why else 1.0, 1)
     assert cell["verdict"] == FAILED and why in cell["why"]
     json.dumps(cell, allow_nan=False)
+
+
+def test_cells_run_side_by_side(tmp_path):
+    """As many at a time as there are workers; one that dies or is slow costs no other."""
+
+    def meet(mine, other):
+        (tmp_path / mine).touch()
+        while not (tmp_path / other).exists():
+            time.sleep(0.01)
+        return {"met": mine}
+
+    works = (crash, lambda: meet("a", "b"), lambda: meet("b", "a"), wrong)
+    tasks = [Task(str(number), "mpm", work) for number, work in enumerate(works)]
+    results = list(results_of(tasks, 1.0, 2))
+    assert sorted(result["met"] for result in results if "met" in result) == ["a", "b"]
+    assert {result["case"] for result in results if "met" not in result} == {"0", "3"}
 
 
 def test_the_matrix_is_large_enough():
@@ -223,13 +239,13 @@ def test_the_true_limit_of_the_step_is_found():
 def test_the_study_leaves_the_matrix_with_reasons(tmp_path, capsys):
     """Cells in the order of cases and variants; refusals keep their message; unknown names are one line."""
 
-    def made(case, variant, quick):
-        verdict = REFUSED if variant == "mpm" else STABLE
-        return {
-            "case": case, "variant": variant, "verdict": verdict, "why": "too soft" if variant == "mpm" else "",
-            "steps": 1, "time": 1.0, "drift": None, "smallest_ratio": 1.0, "smallest_step": None, "redone": 0,
-            "seconds": 1.0,
-        }  # fmt: skip
+    def made(cells, quick, workers):
+        for case, variant in reversed(cells):
+            yield {
+                "case": case, "variant": variant, "verdict": REFUSED if variant == "mpm" else STABLE,
+                "why": "too soft" if variant == "mpm" else "", "steps": 1, "time": 1.0, "drift": None,
+                "smallest_ratio": 1.0, "smallest_step": None, "redone": 0, "seconds": 1.0,
+            }  # fmt: skip
 
     outcome = survey_stability(
         tmp_path / "out", quick=True, cases=("soft", "spall"), variants=("fem-explicit", "mpm"), run=made

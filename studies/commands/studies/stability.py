@@ -13,7 +13,7 @@ Exit status: 0 when no cell has failed (a refusal by a typed error is none); 1 w
 import argparse
 from pathlib import Path
 
-from studies.options import add_json_option, names
+from studies.options import add_json_option, names, positive
 from studies.output.default_folder import default_folder
 
 SOME_FAILED = 1
@@ -24,6 +24,9 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--quick", action="store_true", help="a tenth of the steps")
     parser.add_argument("--cases", metavar="NAME[,NAME...]", type=names, help="these cases (default: all)")
     parser.add_argument("--methods", metavar="A[,B...]", type=names, help="variants (default: sixteen)")
+    parser.add_argument(
+        "--workers", metavar="N", type=positive, help="cells at a time (default: one a processor)"
+    )
     folder = parser.add_mutually_exclusive_group()
     folder.add_argument(
         "--out", metavar="DIR", help="new or empty folder (default: results/stability-DATE-TIME)"
@@ -48,6 +51,7 @@ def execute(options: argparse.Namespace) -> int:
         quick=options.quick,
         cases=options.cases,
         variants=options.methods,
+        workers=options.workers,
         going_on=options.resume is not None,
         tell=lambda cell: tally.tell(without_laws(_said(cell))),
     )
