@@ -34,9 +34,9 @@ def execute(options: argparse.Namespace) -> int:
     """Compare, print the table and where the report is."""
     scene = asked_scene(options)
     from studies.comparisons.comparing import compare
+    from studies.comparisons.text import comparison_text
     from studies.methods.method import METHODS
     from studies.observers.progress import can_show
-    from studies.output.text_table import comparison_text
 
     if options.resume and options.out:
         raise SceneError("--resume goes on in the folder it names: leave --out away")
