@@ -141,6 +141,6 @@ def add_json_option(parser: argparse.ArgumentParser) -> None:
 
 def asked_scene(options: argparse.Namespace):
     """The scene that the options name."""
-    from studies.scene_reader import read_scene
+    from studies.scenes.reader import read_scene
 
     return read_scene(options.scene, options.search_root, options.laws)

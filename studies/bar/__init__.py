@@ -1,1 +1,1 @@
-"""The bar of a scene: its description, mesh, outline and the lengths that are read off the outline."""
+"""The bar of a scene: its description, mesh and outline, and what is measured on it in a Taylor impact."""

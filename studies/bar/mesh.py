@@ -7,7 +7,7 @@ from core_models.errors import MeshError, SceneError
 from meshes.axisymmetric import axisymmetric, check_bar
 from meshes.kinds import find_kind
 from meshes.mesh import Mesh
-from studies.scene import Scene
+from studies.scenes.scene import Scene
 
 FIT = 0.01  # largest relative difference between an own mesh's size and the cylinder it stands for
 MOST_POINTS = 4_000_000

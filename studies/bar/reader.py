@@ -5,7 +5,7 @@ from lxml import etree
 
 from core_models.cards import Cylinder, refusal
 from core_models.errors import SceneError, UnsupportedError
-from studies.scene import Bar
+from studies.scenes.scene import Bar
 
 OFF_AXIS = 1e-9  # largest sideways share of a velocity that still flies along the axis
 

@@ -8,7 +8,7 @@ rim may lift, and single corners of particles' domains, above all beside the axi
 
 import numpy as np
 
-from studies import profile
+from studies.bar import profile
 
 Outline = dict[str, np.ndarray]
 

@@ -10,7 +10,7 @@ from core_models.eos.neo_hookean import NeoHookean
 from core_models.material import Material
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
-from studies.sample_laws import SAMPLES
+from studies.laws.sample_laws import SAMPLES
 
 
 def bench_materials() -> Iterator[tuple[str, Material]]:

@@ -15,11 +15,11 @@ from core_models.points import MaterialPoints
 from core_models.threads import Threads
 from studies.bench.materials import bench_materials, yardstick_material
 from studies.bench.yardstick import by_hand
-from studies.display import number
-from studies.methods import METHODS, build_solver
-from studies.scene_reader import read_scene
-from studies.text_table import aligned
-from studies.versions import processor
+from studies.methods.method import METHODS, build_solver
+from studies.output.display import number
+from studies.output.text_table import aligned
+from studies.output.versions import processor
+from studies.scenes.reader import read_scene
 
 REPEATS = 7
 STEP = 2e-8  # s
@@ -33,8 +33,8 @@ SCENES = {
     "taylor-copper-jc": "Johnson-Cook, Mie-Grüneisen, damage",
 }
 FIRST_STEP = """
-from studies.methods import build_solver
-from studies.scene_reader import read_scene
+from studies.methods.method import build_solver
+from studies.scenes.reader import read_scene
 build_solver(read_scene("taylor-copper-jc"), "{method}", 8, "unilateral", 1).advance()
 """
 

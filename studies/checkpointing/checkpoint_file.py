@@ -12,7 +12,7 @@ from core_models.atomic import replacing
 from core_models.checkpoint import Checkpoint, part_of, under
 from core_models.compilation import source_hash
 from core_models.errors import OutputError
-from studies.output_folder import OutputFolder
+from studies.output.output_folder import OutputFolder
 
 FILE = "checkpoint.npz"
 SETTINGS = "settings"

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from studies.checkpointing.checkpoint_file import FILE, Saved, Settings, Spent, write_checkpoint
 from studies.checkpointing.interval import Interval
-from studies.observer import Observer
-from studies.output_folder import OutputFolder
+from studies.observers.observer import Observer
+from studies.output.output_folder import OutputFolder
 
 
 class Checkpoints(Observer):

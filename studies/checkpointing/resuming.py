@@ -7,11 +7,11 @@ from pathlib import Path
 from core_models.errors import OutputError
 from studies.checkpointing.checkpoint_file import FILE, read_checkpoint
 from studies.checkpointing.interval import Interval, read_interval
-from studies.output_folder import OutputFolder, ResumedFolder
-from studies.remaining import Remaining
-from studies.run_result import RunResult
-from studies.running import simulate
-from studies.scene_reader import read_scene
+from studies.output.output_folder import OutputFolder, ResumedFolder
+from studies.runs.remaining import Remaining
+from studies.runs.result import RunResult
+from studies.runs.running import simulate
+from studies.scenes.reader import read_scene
 
 
 def resume(

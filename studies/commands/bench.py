@@ -27,7 +27,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def execute(options: argparse.Namespace) -> int:
     """Print the speed table."""
     from studies.bench.speeds import bench_record, bench_text
-    from studies.json_output import json_text
+    from studies.output.json_output import json_text
 
     asked = (options.points, options.threads)
     print(json_text(bench_record(*asked)) if options.json else bench_text(*asked))

@@ -23,11 +23,11 @@ def execute(options: argparse.Namespace) -> int:
     """Print the plan."""
     scene = asked_scene(options)
     from core_models.walls import check_wall
-    from studies.json_output import json_text
-    from studies.methods import METHODS, check_solver, planned_runs
-    from studies.output_folder import check_unused
-    from studies.plan import plan_record
-    from studies.plan_text import plan_text
+    from studies.methods.method import METHODS, check_solver, planned_runs
+    from studies.output.json_output import json_text
+    from studies.output.output_folder import check_unused
+    from studies.scenes.plan import plan_record
+    from studies.scenes.plan_text import plan_text
 
     if options.out is not None:
         check_unused(options.out)

@@ -16,8 +16,8 @@ import sys
 from pathlib import Path
 
 from core_models.errors import RunFailure, SceneError
-from studies.default_folder import default_folder
 from studies.options import add_json_option, add_method_options, add_scene_options, asked_scene
+from studies.output.default_folder import default_folder
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -33,10 +33,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def execute(options: argparse.Namespace) -> int:
     """Compare, print the table and where the report is."""
     scene = asked_scene(options)
-    from studies.comparing import compare
-    from studies.methods import METHODS
-    from studies.progress import can_show
-    from studies.text_table import comparison_text
+    from studies.comparisons.comparing import compare
+    from studies.methods.method import METHODS
+    from studies.observers.progress import can_show
+    from studies.output.text_table import comparison_text
 
     if options.resume and options.out:
         raise SceneError("--resume goes on in the folder it names: leave --out away")
@@ -54,7 +54,7 @@ def execute(options: argparse.Namespace) -> int:
     if comparison.notice:
         print(f"matpoint: {comparison.notice}", file=sys.stderr)
     if options.json:
-        from studies.json_output import print_results
+        from studies.output.json_output import print_results
 
         print_results(out)
         return RunFailure.exit_status if comparison.failed else 0

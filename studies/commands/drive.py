@@ -65,7 +65,7 @@ def execute(options: argparse.Namespace) -> int:
     from studies.drive.files import check_files, write_files
     from studies.drive.record import drive_record
     from studies.drive.text import drive_text
-    from studies.json_output import json_text
+    from studies.output.json_output import json_text
 
     check_files(options.csv, options.plot, options.out)
     result = carry_out(asked_test(options))

@@ -28,10 +28,10 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def execute(options: argparse.Namespace) -> int:
     """Print the list, one law or the table of what fits together."""
     from core_models import user_laws
-    from studies.compatibility_text import compatibility_text
-    from studies.json_output import json_text
-    from studies.model_record import compatibility_record, model_records
-    from studies.model_text import model_list, model_text
+    from studies.laws.compatibility_text import compatibility_text
+    from studies.laws.model_record import compatibility_record, model_records
+    from studies.laws.model_text import model_list, model_text
+    from studies.output.json_output import json_text
 
     if options.laws is not None:
         user_laws.load(options.laws)

@@ -14,8 +14,8 @@ import argparse
 import sys
 
 from core_models.errors import SceneError
-from studies.default_folder import default_folder
 from studies.options import add_json_option, add_method_options, add_scene_options, asked_scene
+from studies.output.default_folder import default_folder
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -42,8 +42,8 @@ def execute(options: argparse.Namespace) -> int:
     scene = asked_scene(options)
     method, resolution = _one(options.methods, "method"), _one(options.resolution, "resolution")
     from studies.checkpointing.interval import read_interval
-    from studies.progress import can_show
-    from studies.running import run
+    from studies.observers.progress import can_show
+    from studies.runs.running import run
 
     every = options.checkpoint_every
     out = options.out or default_folder(scene.name)
@@ -63,12 +63,12 @@ def execute(options: argparse.Namespace) -> int:
 
 def _print(result, folder: str, as_json: bool) -> None:
     if as_json:
-        from studies.json_output import json_text
-        from studies.run_record import run_record
+        from studies.output.json_output import json_text
+        from studies.runs.record import run_record
 
         print(json_text({"folder": folder} | run_record(result)))
         return
-    from studies.run_text import run_text
+    from studies.runs.text import run_text
 
     print(f"{run_text(result)}\n\n{folder}")
 
@@ -81,7 +81,7 @@ def _resume(options: argparse.Namespace) -> int:
         )
     from studies.checkpointing.interval import read_interval
     from studies.checkpointing.resuming import resume
-    from studies.progress import can_show
+    from studies.observers.progress import can_show
 
     every = options.checkpoint_every
     result = resume(

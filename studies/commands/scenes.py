@@ -11,7 +11,7 @@ import argparse
 import logging
 
 from studies.options import add_json_option
-from studies.shipped_scenes import shipped_scenes
+from studies.scenes.shipped import shipped_scenes
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -21,8 +21,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def execute(options: argparse.Namespace) -> int:
     """Print name, description, size, speed and wall of every shipped scene."""
-    from studies.json_output import json_text
-    from studies.scene_reader import read_scene
+    from studies.output.json_output import json_text
+    from studies.scenes.reader import read_scene
 
     # What their materials are warned about is said where they are checked or run.
     logging.disable(logging.WARNING)

@@ -9,7 +9,7 @@ from core_models.loading_program import Program
 from core_models.material import Material
 from studies.drive.paths import DrivePath, find_path
 from studies.drive.segments import read_segment
-from studies.material_finder import find_material, with_update
+from studies.scenes.material_finder import find_material, with_update
 
 
 @dataclass(frozen=True)

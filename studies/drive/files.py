@@ -9,7 +9,7 @@ from core_models.errors import OutputError
 from studies.drive.columns import csv_text
 from studies.drive.driving import DriveResult
 from studies.drive.plot import check_format, write_plot
-from studies.output_folder import OutputFolder, check_unused
+from studies.output.output_folder import OutputFolder, check_unused
 
 HISTORY, PICTURE, SUMMARY, CARD = "history.csv", "history.svg", "summary.txt", "material.xml"
 

@@ -8,10 +8,10 @@ import numpy as np
 from core_models.atomic import replacing
 from core_models.errors import SceneError, UnsupportedError
 from core_models.names import suggestion
-from studies.display import shown_title
 from studies.drive.columns import SYMMETRIC
 from studies.drive.driving import DriveResult
 from studies.drive.text import MEGA, scalars, settled
+from studies.output.display import shown_title
 from studies.report.drawing import FAINT, GRID, INK, PANEL, STYLE
 
 FORMATS = (".svg", ".png", ".pdf")

@@ -9,7 +9,7 @@ from core_models.laws import flow_stress, melting_temperature, under_pressure
 from core_models.loading import STRESS_COLUMN
 from studies.drive.columns import SYMMETRIC
 from studies.drive.driving import DriveResult, MaterialTest
-from studies.text_table import aligned
+from studies.output.text_table import aligned
 
 ROWS = 10
 MEGA = 1e-6

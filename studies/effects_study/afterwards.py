@@ -4,7 +4,7 @@ from typing import Any
 
 from core_models.laws import elastic_moduli, heat_capacity, melting_temperature
 from studies.effects_study.decisions import HEATED, Decision, decisions
-from studies.run_result import RunResult
+from studies.runs.result import RunResult
 
 
 def verified(result: RunResult) -> list[tuple[Decision, float | None]]:

@@ -1,9 +1,9 @@
 """Decisions about effects as plain text."""
 
-from studies.display import ABSENT
 from studies.effects_study.afterwards import is_confirmed
 from studies.effects_study.decisions import Decision
-from studies.text_table import aligned
+from studies.output.display import ABSENT
+from studies.output.text_table import aligned
 
 NUMBERS = 2  # the column of the number and its threshold
 

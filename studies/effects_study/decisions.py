@@ -8,8 +8,8 @@ from math import sqrt
 
 from core_models.damage.johnson_cook import JohnsonCookDamage
 from core_models.laws import elastic_moduli, flow_stress, heat_capacity, melting_temperature
-from studies.effects import STANDARD_GRAVITY
-from studies.scene import Scene
+from studies.scenes.effects import STANDARD_GRAVITY
+from studies.scenes.scene import Scene
 
 HEATED = 0.9  # part of the work that becomes heat
 TYPICAL_STRAIN, TYPICAL_RATE = 0.1, 1e4  # at which the flow stress is taken; 1/s

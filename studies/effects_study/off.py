@@ -4,8 +4,8 @@ import time
 from dataclasses import dataclass, replace
 
 from core_models.errors import MaterialError
-from studies.methods import build_solver
-from studies.scene import Scene
+from studies.methods.method import build_solver
+from studies.scenes.scene import Scene
 from studies.work_precision.bars import finish_bar
 from studies.work_precision.measurement import WARM_STEPS
 

@@ -12,12 +12,12 @@ from studies.effects_study.off import cost_of_off
 from studies.effects_study.switched import AS_IT_IS, Switched
 from studies.effects_study.switches import SWITCHES
 from studies.effects_study.tables import FIELDS, report_of
-from studies.methods import build_solver, check_run
-from studies.output_folder import OutputFolder
+from studies.methods.method import build_solver, check_run
+from studies.output.output_folder import OutputFolder
+from studies.output.versions import processor, versions
 from studies.report.study_page import Report, write_report
-from studies.run_record import to_json
-from studies.scene import Scene
-from studies.versions import processor, versions
+from studies.runs.record import to_json
+from studies.scenes.scene import Scene
 from studies.work_precision.bars import finish_bar, with_fixed_end
 from studies.work_precision.measurement import Measurement, measure_run
 

@@ -10,7 +10,7 @@ from core_models.eos.neo_hookean import NeoHookean
 from core_models.laws import elastic_moduli
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
-from studies.scene import Scene
+from studies.scenes.scene import Scene
 
 FRICTION = 0.1
 

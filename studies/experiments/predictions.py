@@ -8,12 +8,12 @@ import numpy as np
 from core_models.cards import shipped_materials
 from core_models.cards.reader import read_material
 from core_models.errors import RunFailure
-from studies import profile
+from studies.bar import profile
 from studies.bar.shape import foot_height
 from studies.experiments.shots import Shot, read_shots
-from studies.run_result import RunResult
-from studies.running import simulate
-from studies.scene import Bar, End, Scene
+from studies.runs.result import RunResult
+from studies.runs.running import simulate
+from studies.scenes.scene import Bar, End, Scene
 
 CARDS = {
     "copper OFHC": (

@@ -8,12 +8,12 @@ from typing import Any
 from studies.experiments.predictions import CARDS, predict
 from studies.experiments.shots import read_shots
 from studies.experiments.tables import sections
+from studies.output.study_folder import study_folder
+from studies.output.versions import processor, versions
 from studies.report.study_page import Report, write_report
-from studies.run_record import to_json
-from studies.study_folder import study_folder
+from studies.runs.record import to_json
 from studies.sweep.job import COMPLETE, Job
 from studies.sweep.sweep import check_scheduler, run_sweep
-from studies.versions import processor, versions
 
 
 @dataclass(frozen=True)

@@ -5,12 +5,12 @@ from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from studies.comparing import compare
-from studies.comparison import Comparison
+from studies.comparisons.comparing import compare
+from studies.comparisons.comparison import Comparison
 from studies.gallery.entry import Entry, Shown
 from studies.gallery.pictures import standalone
 from studies.gallery.study_entries import STUDY_ENTRIES
-from studies.scene_reader import read_scene
+from studies.scenes.reader import read_scene
 
 MILLIMETRES = 1e3
 PERCENT = 100.0

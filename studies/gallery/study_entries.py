@@ -41,8 +41,8 @@ def _fast_impact() -> Shown:
 def _effects() -> Shown:
     from studies.bar.outline import bar_outline
     from studies.effects_study.study import planned
-    from studies.methods import build_solver
-    from studies.scene_reader import read_scene
+    from studies.methods.method import build_solver
+    from studies.scenes.reader import read_scene
     from studies.verification.figures import plot_svg
     from studies.verification.outcome import Curve, Plot
     from studies.work_precision.bars import finish_bar, with_fixed_end

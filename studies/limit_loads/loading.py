@@ -9,7 +9,7 @@ import numpy as np
 from core_models.loads import Load
 from core_models.material import Material
 from meshes.mesh import Mesh
-from studies.quasi_static import KineticWatch, slow_enough
+from studies.methods.quasi_static import KineticWatch, slow_enough
 
 START = 0.1  # share of the duration in which an explicit run speeds up, unless given
 ELASTIC = 0.2  # share after which the body has taken up much more than its elastic start

@@ -10,8 +10,8 @@ from meshes.mesh import Mesh
 from meshes.necking_bar import necking_bar
 from meshes.square_bar import square_bar
 from meshes.tension_strip import tension_strip
+from studies.methods.quasi_static import slow_enough
 from studies.necking.scene import ROUND_BAR, SQUARE_BAR, STRIP, NeckingScene, PlannedRun
-from studies.quasi_static import slow_enough
 
 DIMENSIONS = {ROUND_BAR: (2, 3), SQUARE_BAR: (3,), STRIP: (2,)}
 """A body: dimensions of the elements that it can be made of; a round bar is a body of revolution in two."""

@@ -7,10 +7,10 @@ import numpy as np
 
 from core_models.checkpoint import Checkpoint, part_of, under
 from core_models.equilibrium.order import newton_orders
-from studies.bar_necking import NeckingWatch
+from studies.methods.quasi_static import KineticWatch
+from studies.necking.bar_necking import NeckingWatch
 from studies.necking.kept_state import KeptState
 from studies.necking.run import NeckingRun, shape_of
-from studies.quasi_static import KineticWatch
 
 
 class Course:

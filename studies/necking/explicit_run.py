@@ -3,13 +3,13 @@
 from typing import Any
 
 from core_models.errors import RunFailure
-from studies.bar_necking import NeckingWatch, is_broken
+from studies.methods.quasi_static import KineticWatch
+from studies.necking.bar_necking import NeckingWatch, is_broken
 from studies.necking.bodies import force_of
 from studies.necking.course import Course
 from studies.necking.kept_state import KeptState
 from studies.necking.run import NeckingRun
 from studies.necking.scene import ROUND_BAR, NeckingScene
-from studies.quasi_static import KineticWatch
 
 ROWS = 140  # of the history
 ELASTIC = 0.15  # share after which the body has taken up much more than its elastic start

@@ -11,13 +11,13 @@ from core_models.equilibrium.stepping import QuasiStatic
 from core_models.erosion.delete import DeletePoint
 from core_models.errors import SceneError
 from meshes.progression import progression
-from studies.material_finder import with_update
 from studies.necking.bodies import body_of, geometry_of, is_solid, loads_of, slowed
 from studies.necking.explicit_run import pull_explicitly
 from studies.necking.kept_state import KeptState
 from studies.necking.run import NeckingRun
 from studies.necking.scene import NeckingScene, PlannedRun
 from studies.necking.static_run import pull_statically
+from studies.scenes.material_finder import with_update
 
 DELETE = "delete"
 OWN = ("body", "radius", "taper", "duration")  # of the scene that a run may have its own of

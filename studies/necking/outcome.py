@@ -1,6 +1,6 @@
 """What the runs of a necking scene say: criteria, tables, curves over each other."""
 
-from studies.bar_necking import at_elongation
+from studies.necking.bar_necking import at_elongation
 from studies.necking.curves import read_curve
 from studies.necking.run import NeckingRun
 from studies.necking.scene import STRIP, NeckingScene

@@ -36,7 +36,8 @@ from core_models.errors import MeshError, SceneError
 from core_models.flow.voce import Voce
 from core_models.material import Material
 from core_models.names import suggestion
-from studies.bar_necking import QUANTITIES, NeckingHistory
+from studies.methods.solver_options import SOLVER_OPTIONS
+from studies.necking.bar_necking import QUANTITIES, NeckingHistory
 from studies.necking.bodies import check_kind
 from studies.necking.methods import DELETE, IMPLICIT, METHODS
 from studies.necking.scene import (
@@ -55,15 +56,14 @@ from studies.necking.scene import (
     PlannedRun,
     UniformPeak,
 )
-from studies.scene_attributes import (
+from studies.scenes.attributes import (
     choice,
     local_file,
     number_attribute,
     required_number,
     required_text,
 )
-from studies.shipped_scenes import SCENES_FOLDER
-from studies.solver_options import SOLVER_OPTIONS
+from studies.scenes.shipped import SCENES_FOLDER
 
 FOLDER = SCENES_FOLDER / "necking"
 BODIES = {"round_bar": ROUND_BAR, "square_bar": SQUARE_BAR, "strip": STRIP}

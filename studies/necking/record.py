@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from studies.bar_necking import NeckingHistory
+from studies.necking.bar_necking import NeckingHistory
 from studies.necking.kept_state import KeptState
 from studies.necking.methods import IMPLICIT, make_run
 from studies.necking.reader import read_necking_scene

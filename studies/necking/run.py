@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from studies.bar_necking import NeckingHistory
+from studies.necking.bar_necking import NeckingHistory
 
 
 @dataclass(frozen=True)

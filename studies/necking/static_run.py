@@ -2,7 +2,7 @@
 
 from core_models.equilibrium.stepping import QuasiStatic
 from core_models.errors import RunFailure
-from studies.bar_necking import NeckingWatch, is_broken
+from studies.necking.bar_necking import NeckingWatch, is_broken
 from studies.necking.bodies import force_of
 from studies.necking.course import Course
 from studies.necking.kept_state import KeptState

@@ -14,16 +14,16 @@ from studies.necking.reader import fingerprint, read_necking_scene
 from studies.necking.record import asked, perform_run, run_from
 from studies.necking.scene import NeckingScene, PlannedRun
 from studies.necking.verdicts import Runs
-from studies.output_folder import OutputFolder
+from studies.output.output_folder import OutputFolder
+from studies.output.study_folder import KEPT, forget, kept, study_folder
+from studies.output.versions import versions
 from studies.report.study_page import AGREE, APART, Report, Section, Verdict, write_report
-from studies.run_record import to_json
-from studies.study_folder import KEPT, forget, kept, study_folder
+from studies.runs.record import to_json
 from studies.sweep.job import COMPLETE, Job
 from studies.sweep.sweep import run_sweep
 from studies.verification.outcome import Outcome
 from studies.verification.study import plain
 from studies.verification.text import criterion_text
-from studies.versions import versions
 
 
 def planned(scene: NeckingScene, methods: Sequence[str] | None, quick: bool) -> list[PlannedRun]:

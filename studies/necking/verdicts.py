@@ -4,9 +4,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from studies.bar_necking import quantity, uniform_peak
-from studies.convergence import extrapolate
-from studies.material_finder import with_update
+from studies.comparisons.convergence import extrapolate
+from studies.necking.bar_necking import quantity, uniform_peak
 from studies.necking.curves import read_curve
 from studies.necking.run import NeckingRun
 from studies.necking.scene import (
@@ -21,6 +20,7 @@ from studies.necking.scene import (
     PlannedRun,
     UniformPeak,
 )
+from studies.scenes.material_finder import with_update
 from studies.verification.outcome import Criterion, Table
 
 Runs = Mapping[str, NeckingRun]

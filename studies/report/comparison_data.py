@@ -1,7 +1,7 @@
 """Quantities and energies of all runs of a comparison, in SI units and with all digits, for CSV files."""
 
-from studies.comparison import Comparison
-from studies.history import ENERGIES
+from studies.comparisons.comparison import Comparison
+from studies.observers.history import ENERGIES
 from studies.verification.outcome import Table
 
 

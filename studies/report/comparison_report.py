@@ -1,9 +1,9 @@
 """The report of a comparison: verdicts, shapes, quantities, convergence, histories, energies, costs."""
 
 from core_models.walls import MEANING
-from studies.comparison import Comparison
-from studies.methods import find_method
-from studies.quantity_names import LEADING
+from studies.bar.quantity_names import LEADING
+from studies.comparisons.comparison import Comparison
+from studies.methods.method import find_method
 from studies.report.comparison_data import energy_data, quantity_data
 from studies.report.comparison_tables import (
     cost_table,

@@ -1,7 +1,9 @@
 """The tables of a comparison's report."""
 
-from studies.comparison import Comparison
-from studies.display import (
+from studies.comparisons.comparison import Comparison
+from studies.methods.method import find_method
+from studies.observers.history import ENERGIES
+from studies.output.display import (
     ABSENT,
     number,
     plus_minus,
@@ -12,10 +14,8 @@ from studies.display import (
     shown_unit,
     with_unit,
 )
-from studies.effects import scene_effects
-from studies.history import ENERGIES
-from studies.methods import find_method
-from studies.run_result import RunResult
+from studies.runs.result import RunResult
+from studies.scenes.effects import scene_effects
 from studies.verification.outcome import Table
 
 

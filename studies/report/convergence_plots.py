@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from studies.comparison import Comparison
-from studies.display import SHOWN_UNITS, shown_name, shown_title
-from studies.methods import find_method
+from studies.comparisons.comparison import Comparison
+from studies.methods.method import find_method
+from studies.output.display import SHOWN_UNITS, shown_name, shown_title
 from studies.report.drawing import FAINT, as_svg, colour_of, drawing
 
 SHOWN = ("final_length", "foot_radius", "max_equivalent_plastic_strain", "max_temperature")

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from studies.comparison import Comparison
-from studies.display import SHOWN_UNITS, shown_title
-from studies.field_maps import FieldGap, FieldMaps
-from studies.methods import find_method
+from studies.comparisons.comparison import Comparison
+from studies.comparisons.field_maps import FieldGap, FieldMaps
+from studies.methods.method import find_method
+from studies.output.display import SHOWN_UNITS, shown_title
 from studies.report.drawing import as_svg, drawing
 from studies.report.half_shapes import LEFT, RIGHT, draw_half, extent, finish, size
 from studies.verification.outcome import Table

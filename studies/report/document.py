@@ -5,13 +5,13 @@ from collections.abc import Iterable
 from html import escape
 from importlib.resources import files
 
+from studies.output.versions import processor, versions
 from studies.report.markdown import csv_text
 from studies.report.markup import items, note, panels, section, table
 from studies.report.study_page import AGREE, Report, Section, Verdict
 from studies.verification.figures import picture_svg, plot_svg
 from studies.verification.outcome import Table
 from studies.verification.text import shown
-from studies.versions import processor, versions
 
 MANY = 30  # rows of a table above which it is folded
 CONTENTS = 4  # sections above which a page has a list of them

@@ -1,10 +1,10 @@
 """Final shapes side by side, coloured by a field: one method left of the axis, the other right."""
 
-from studies.comparison import Comparison
-from studies.methods import find_method
+from studies.comparisons.comparison import Comparison
+from studies.methods.method import find_method
 from studies.report.drawing import as_svg, drawing
 from studies.report.half_shapes import LEFT, MILLIMETRES, RIGHT, draw_half, extent, finish, size
-from studies.run_result import RunResult
+from studies.runs.result import RunResult
 
 FIELDS = {
     "equivalent_plastic_strain": ("Equivalent plastic strain", "viridis"),

@@ -3,7 +3,7 @@
 import numpy as np
 
 from studies.report.drawing import FAINT, INK
-from studies.run_result import RunResult
+from studies.runs.result import RunResult
 
 MILLIMETRES = 1e3
 WIDTH = 5.2  # inches, of the figure; SCALE: of half the picture's width

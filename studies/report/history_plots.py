@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from studies.comparison import Comparison
-from studies.curves import COLUMNS, read_curve
-from studies.history import ENERGIES
-from studies.methods import find_method
+from studies.comparisons.comparison import Comparison
+from studies.methods.method import find_method
+from studies.observers.history import ENERGIES
 from studies.report.drawing import INK, as_svg, colour_of, drawing, line_of
-from studies.run_result import RunResult
+from studies.runs.result import RunResult
+from studies.scenes.curves import COLUMNS, read_curve
 
 MICROSECONDS = 1e6
 ENERGY_COLOURS = ("#3b7dd8", "#2a9d8f", "#c8553d", "#9467bd", "#b8860b", "#8c8c8c", "#d18cc0", "#6b8e23")

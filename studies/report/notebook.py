@@ -3,11 +3,11 @@
 from dataclasses import replace
 
 from core_models.errors import UnsupportedError
-from studies.comparison import Comparison, conclude
+from studies.comparisons.comparison import Comparison, conclude
 from studies.report.comparison_report import report_of
 from studies.report.document import fragment
 from studies.report.study_page import Report
-from studies.run_result import RunResult
+from studies.runs.result import RunResult
 
 OF_A_RUN = ("shapes", "quantities", "histories", "energies", "costs")
 

@@ -12,10 +12,10 @@ from tempfile import TemporaryDirectory
 from typing import Any
 from xml.etree import ElementTree
 
-from studies.comparison import Comparison
-from studies.display import SHOWN_UNITS, number
-from studies.methods import find_method
-from studies.run_result import RunResult
+from studies.comparisons.comparison import Comparison
+from studies.methods.method import find_method
+from studies.output.display import SHOWN_UNITS, number
+from studies.runs.result import RunResult
 
 FIELDS = {
     "equivalent_plastic_strain": ("Equivalent plastic strain", "1", "viridis", False),

@@ -5,10 +5,10 @@ from collections.abc import Callable
 import numpy as np
 
 from studies.bar.shape import standing
-from studies.comparison import Comparison
-from studies.curves import read_curve
-from studies.methods import find_method
+from studies.comparisons.comparison import Comparison
+from studies.methods.method import find_method
 from studies.report.drawing import INK, as_svg, colour_of, drawing, line_of
+from studies.scenes.curves import read_curve
 
 MILLIMETRES = 1e3
 

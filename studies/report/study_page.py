@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from core_models.errors import UnsupportedError
-from studies.output_folder import OutputFolder
+from studies.output.output_folder import OutputFolder
 from studies.verification.outcome import Picture, Plot, Table
 
 AGREE, APART, NEUTRAL = "agree", "apart", ""

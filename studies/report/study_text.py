@@ -1,6 +1,6 @@
 """Tables of studies as plain text for the terminal."""
 
-from studies.text_table import aligned
+from studies.output.text_table import aligned
 from studies.verification.outcome import Table
 from studies.verification.text import shown
 

@@ -16,7 +16,7 @@ from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from meshes.block import block
 from meshes.mesh import Mesh
 from meshes.taylor_bar import taylor_bar
-from studies.scene_reader import read_scene
+from studies.scenes.reader import read_scene
 from studies.stability.variants import variant_of
 
 RADIUS = 1.6e-3  # m

@@ -13,8 +13,8 @@ LARGEST_DRIFT = (
 class Case:
     """A hard case.
 
-    build : makes the solver of a variant (studies.variants). end : time to run to [s]; steps : most steps, quickly a
-    tenth of them. factor : by which every stable step is multiplied.
+    build : makes the solver of a variant (studies.methods.variants). end : time to run to [s]; steps : most steps,
+    quickly a tenth of them. factor : by which every stable step is multiplied.
     drift : of the energy that is allowed. implicit : whether it is one of increments, for implicit variants.
     keeps : name of a quantity that the body has to keep to a tenth of its first value, and how it is found; such a body
     has to stay in one piece as well.

@@ -7,8 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from core_models.errors import SceneError
+from studies.output.study_folder import keep, kept, study_folder
+from studies.output.versions import processor, versions
 from studies.report.study_page import Report, write_report
-from studies.run_record import to_json
+from studies.runs.record import to_json
 from studies.stability.case import Case
 from studies.stability.cases import all_cases, find_case
 from studies.stability.cell import FAILED
@@ -16,8 +18,6 @@ from studies.stability.isolated import TIME_LIMIT, Task, results_of, run_isolate
 from studies.stability.tables import report_of
 from studies.stability.true_limit import true_limit
 from studies.stability.variants import EXPLICIT, IMPLICIT, is_implicit
-from studies.study_folder import keep, kept, study_folder
-from studies.versions import processor, versions
 
 VARIANTS = (*EXPLICIT, *IMPLICIT)
 

@@ -1,7 +1,7 @@
-"""Variants of the study: those of the explicit solvers (studies.variants), and of the implicit ones."""
+"""Variants of the study: those of the explicit solvers (studies.methods.variants), and of the implicit ones."""
 
-from studies.solver_options import SOLVER_OPTIONS
-from studies.variants import KIND, PLANAR_KINDS, WORDS, Variant, read_variant
+from studies.methods.solver_options import SOLVER_OPTIONS
+from studies.methods.variants import KIND, PLANAR_KINDS, WORDS, Variant, read_variant
 
 EXPLICIT = (
     "fem-explicit",

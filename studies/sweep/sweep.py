@@ -5,8 +5,8 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 from core_models.errors import UnsupportedError
-from studies.output_folder import OutputFolder
-from studies.study_folder import keep, kept
+from studies.output.output_folder import OutputFolder
+from studies.output.study_folder import keep, kept
 from studies.sweep.dask_cluster import client_of, is_installed, results_by_dask
 from studies.sweep.job import COMPLETE, Job
 from studies.sweep.processes import results_by_processes

@@ -10,13 +10,13 @@ from typing import Any
 
 from core_models.errors import SceneError
 from core_models.names import suggestion
-from studies.output_folder import OutputFolder
+from studies.output.output_folder import OutputFolder
+from studies.output.versions import processor, versions
 from studies.report.study_page import write_report
-from studies.run_record import to_json
+from studies.runs.record import to_json
 from studies.verification.outcome import Outcome
 from studies.verification.problem import Problem
 from studies.verification.report import Results, report_of
-from studies.versions import processor, versions
 
 PROBLEMS = {
     "patch": ("patch", "PROBLEM"),

@@ -9,8 +9,8 @@ from core_models.loads import Symmetry
 from meshes.mesh import Mesh
 from meshes.taylor_bar import taylor_bar
 from meshes.taylor_quarter import taylor_quarter
-from studies.scene import Scene
-from studies.scene_reader import read_scene
+from studies.scenes.reader import read_scene
+from studies.scenes.scene import Scene
 from studies.verification.variant import Variant, run_until
 
 

@@ -2,7 +2,7 @@
 
 import math
 
-from studies.display import ABSENT
+from studies.output.display import ABSENT
 from studies.verification.outcome import Cell, Criterion, Outcome
 from studies.verification.problem import Problem
 

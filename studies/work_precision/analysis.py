@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from studies.convergence import extrapolate
+from studies.comparisons.convergence import extrapolate
 from studies.work_precision.measurement import Measurement
 from studies.work_precision.problem import Reference
 

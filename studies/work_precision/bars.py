@@ -5,9 +5,9 @@ from typing import Any
 
 from studies.bar.outline import bar_outline
 from studies.bar.shape import foot_radius, length
-from studies.methods import build_solver
-from studies.scene import End, Scene
-from studies.scene_reader import read_scene
+from studies.methods.method import build_solver
+from studies.scenes.reader import read_scene
+from studies.scenes.scene import End, Scene
 from studies.work_precision.problem import Reference, WorkProblem
 
 QUANTITIES = ("final_length", "foot_radius")

@@ -2,7 +2,7 @@
 
 from itertools import groupby
 
-from studies.display import number, shown_title
+from studies.output.display import number, shown_title
 from studies.report.study_page import NEUTRAL, Section, Verdict
 from studies.verification.outcome import Table
 from studies.work_precision.analysis import EXTRAPOLATED, LEVELS, NOT_RESOLVABLE, Reach, by_variant, reach

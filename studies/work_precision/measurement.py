@@ -8,8 +8,8 @@ from typing import Any
 
 from core_models.equilibrium.stepping import QuasiStatic
 from core_models.errors import MatpointError
-from studies.costs import measured
-from studies.held_memory import held_bytes
+from studies.runs.costs import measured
+from studies.work_precision.held_memory import held_bytes
 
 WARM_STEPS = 3
 ENOUGH = 10.0  # s of measurements, after which a run is not repeated any more

@@ -5,12 +5,12 @@ from functools import cache
 from typing import Any
 
 from core_models.errors import RunFailure
-from studies.bar_necking import quantity
+from studies.methods.solver_options import ELEMENTS, PARTICLES
+from studies.methods.variants import KIND, Variant, read_variant
+from studies.necking.bar_necking import quantity
 from studies.necking.methods import IMPLICIT, METHODS, pulled
 from studies.necking.reader import read_necking_scene
 from studies.necking.scene import NeckingScene, PlannedRun
-from studies.solver_options import ELEMENTS, PARTICLES
-from studies.variants import KIND, Variant, read_variant
 from studies.work_precision.problem import Reference, WorkProblem
 
 PULL = 6.05e-3  # m: the last radius is taken at 6 mm

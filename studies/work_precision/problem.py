@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from studies.variants import Variant, read_variant
+from studies.methods.variants import Variant, read_variant
 
 
 @dataclass(frozen=True)

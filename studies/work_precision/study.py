@@ -7,12 +7,12 @@ from pathlib import Path
 
 from core_models.errors import SceneError
 from core_models.names import suggestion
-from studies.output_folder import OutputFolder
+from studies.output.output_folder import OutputFolder
+from studies.output.study_folder import keep, kept, study_folder
+from studies.output.versions import processor, versions
 from studies.report.study_page import Report, write_report
-from studies.run_record import to_json
-from studies.shipped_scenes import shipped_scenes
-from studies.study_folder import keep, kept, study_folder
-from studies.versions import processor, versions
+from studies.runs.record import to_json
+from studies.scenes.shipped import shipped_scenes
 from studies.work_precision import necking, vibration, vortex
 from studies.work_precision.bars import bar_problem
 from studies.work_precision.measurement import Measurement, measure_run

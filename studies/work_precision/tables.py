@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from studies.display import number, plus_minus, shown, shown_unit
+from studies.output.display import number, plus_minus, shown, shown_unit
 from studies.report.study_page import Report, Section
 from studies.verification.outcome import Curve, Plot, Table
 from studies.work_precision.analysis import (

@@ -1,8 +1,8 @@
 """Cross-check: what each variant tends to as it is refined, and whether the two methods agree in that."""
 
-from studies.convergence import Estimate, extrapolate
-from studies.differences import verdict_text
-from studies.display import plus_minus, shown_unit
+from studies.comparisons.convergence import Estimate, extrapolate
+from studies.comparisons.differences import verdict_text
+from studies.output.display import plus_minus, shown_unit
 from studies.report.study_page import Section
 from studies.verification.outcome import Table
 from studies.work_precision.analysis import by_variant

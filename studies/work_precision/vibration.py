@@ -6,7 +6,7 @@ import numpy as np
 
 from core_models.errors import SceneError
 from core_models.loads import Symmetry
-from studies.variants import read_variant
+from studies.methods.variants import read_variant
 from studies.verification.bodies import strip_body
 from studies.verification.closed_forms.elastic_bodies import bar_period
 from studies.verification.convergence import neo_hookean

@@ -6,7 +6,7 @@ import numpy as np
 
 from core_models.errors import SceneError
 from core_models.loads import REFERENCE, BodyForce
-from studies.variants import read_variant
+from studies.methods.variants import read_variant
 from studies.verification.closed_forms.mms_vortex import VORTEX
 from studies.verification.convergence import neo_hookean
 from studies.verification.problems.mms_vortex import body

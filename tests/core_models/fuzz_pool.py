@@ -7,7 +7,7 @@ import numpy as np
 
 from core_models.compatibility import clashes
 from core_models.material import Material
-from studies.sample_laws import DENSITY, SAMPLES
+from studies.laws.sample_laws import DENSITY, SAMPLES
 
 LARGEST_POOL = 40
 AXES = {

@@ -32,7 +32,7 @@ from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.yield_condition.drucker_prager import DruckerPrager
 from core_models.yield_condition.von_mises import VonMises
-from studies.sample_laws import SAMPLES
+from studies.laws.sample_laws import SAMPLES
 from tests.core_models.test_anisotropic_elasticity import (
     COPPER,
     FIBRES,

@@ -17,8 +17,8 @@ from core_models.paths import simple_shear
 from core_models.points import MaterialPoints
 from core_models.schema import SLOTS
 from core_models.yield_condition.gurson import Gurson
-from studies.compatibility_text import compatibility_text
-from studies.sample_laws import DENSITY, SAMPLES
+from studies.laws.compatibility_text import compatibility_text
+from studies.laws.sample_laws import DENSITY, SAMPLES
 
 BASE = {"flow": "LinearHardening", "yield_condition": "VonMises", "specific_heat": "ConstantSpecificHeat"}
 PATH = simple_shear(np.array([0.0, 0.02, 0.05]))

@@ -18,7 +18,7 @@ from core_models.yield_condition.drucker_prager import DruckerPrager
 from core_models.yield_condition.gurson import Gurson
 from core_models.yield_condition.mohr_coulomb import MohrCoulomb
 from core_models.yield_condition.von_mises import VonMises
-from studies.sample_laws import SAMPLES
+from studies.laws.sample_laws import SAMPLES
 from tests.core_models.test_stability import BULK, LAWS, NU, PURE_SHEAR, SHEAR, TENSION, YIELD
 
 ELASTIC = IsotropicElastic(BULK, SHEAR)

@@ -23,7 +23,7 @@ from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.yield_condition.drucker_prager import DruckerPrager
 from core_models.yield_condition.mohr_coulomb import MohrCoulomb
-from studies.sample_laws import BULK, DENSITY, SAMPLES, SHEAR
+from studies.laws.sample_laws import BULK, DENSITY, SAMPLES, SHEAR
 from tests.core_models.test_general_tangent import BEFORE, mismatch
 from tests.core_models.test_pressure_dependent_yield import excess, wild_path
 

@@ -11,7 +11,7 @@ from core_models.atomic import replacing
 from core_models.errors import RunFailure
 from core_models.points import Field
 from meshes.io import write_domains_vtu
-from studies.scene_reader import read_scene
+from studies.scenes.reader import read_scene
 
 LENGTH, RADIUS, SPEED, DURATION = 32.4e-3, 3.2e-3, 227.0, 60e-6
 
@@ -123,7 +123,7 @@ def fake_solvers(monkeypatch):
         fails_at = 30e-6 if resolution == 13 else np.inf
         return FakeSolver((1.0 if method == "mpm" else -0.5) / resolution, wall, fails_at)
 
-    monkeypatch.setattr("studies.running.build_solver", build)
+    monkeypatch.setattr("studies.runs.running.build_solver", build)
     monkeypatch.setattr("studies.report.over_time.rendered", lambda job: None)
 
 

@@ -9,9 +9,9 @@ from meshes.io import write_mesh
 from meshes.taylor_bar import taylor_bar
 from meshes.taylor_quarter import taylor_quarter
 from studies.bar.mesh import bar_mesh
-from studies.methods import build_solver, check_run, resolutions_of
-from studies.running import run
-from studies.scene_reader import read_scene
+from studies.methods.method import build_solver, check_run, resolutions_of
+from studies.runs.running import run
+from studies.scenes.reader import read_scene
 
 
 def with_mesh(classic, folder, radius=3.2e-3, foot_height=0.0):

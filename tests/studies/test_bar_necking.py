@@ -20,7 +20,10 @@ from fem.cures.choice import CURES
 from meshes.block import block
 from mpm.implicit.splines import DEGREES
 from mpm.interpolation.catalogue import INTERPOLATIONS
-from studies.bar_necking import (
+from studies.command_line import main
+from studies.methods.quasi_static import KineticWatch, slow_enough
+from studies.methods.solver_options import ELEMENTS, PARTICLES, SOLVER_OPTIONS
+from studies.necking.bar_necking import (
     NeckingHistory,
     at_elongation,
     bridgman_factor,
@@ -31,8 +34,6 @@ from studies.bar_necking import (
     peak,
     uniform_peak,
 )
-from studies.command_line import main
-from studies.material_finder import with_update
 from studies.necking.course import Course
 from studies.necking.curves import read_curve
 from studies.necking.kept_state import KeptState
@@ -43,8 +44,7 @@ from studies.necking.run import NeckingRun
 from studies.necking.scene import PlannedRun
 from studies.necking.study import planned, study_necking
 from studies.necking.verdicts import criteria_of
-from studies.quasi_static import KineticWatch, slow_enough
-from studies.solver_options import ELEMENTS, PARTICLES, SOLVER_OPTIONS
+from studies.scenes.material_finder import with_update
 from studies.sweep.job import FAILED, perform
 
 LENGTH = 0.1

@@ -9,7 +9,7 @@ import time
 import pytest
 
 from studies.command_line import VERBS, main
-from studies.shipped_scenes import SCENES_FOLDER
+from studies.scenes.shipped import SCENES_FOLDER
 
 
 def said(capsys):

@@ -81,6 +81,6 @@ def test_an_interruption_that_was_swallowed_still_ends_the_run(monkeypatch, tmp_
         with suppress(KeyboardInterrupt):
             signal.raise_signal(signal.SIGINT)
 
-    monkeypatch.setattr("studies.contact_watch.ContactWatch.start", swallow)
+    monkeypatch.setattr("studies.observers.contact_watch.ContactWatch.start", swallow)
     assert main(["run", "taylor-classic", "--out", str(tmp_path / "out")]) == 130
     assert not (tmp_path / "out/run.json").exists()

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from core_models.errors import OutputError
+from studies.bar.quantity_names import QUANTITIES
 from studies.checkpointing.interval import Interval
-from studies.comparing import compare
-from studies.quantity_names import QUANTITIES
+from studies.comparisons.comparing import compare
 
 
 @pytest.fixture
@@ -103,7 +103,7 @@ def test_a_comparison_that_was_stopped_goes_on(fake_solvers, classic, tmp_path, 
     """Complete runs are read back bit by bit, missing ones made; another comparison in the folder is refused."""
     whole = compare(classic, resolutions=(8, 12), out=tmp_path / "whole")
     with monkeypatch.context() as patch:
-        patch.setattr("studies.comparing.conclude", stopped)
+        patch.setattr("studies.comparisons.comparing.conclude", stopped)
         with pytest.raises(KeyboardInterrupt):
             compare(classic, resolutions=(8, 12), out=tmp_path / "out")
     shutil.rmtree(tmp_path / "out/mpm-12")
@@ -127,9 +127,11 @@ def test_a_run_of_a_comparison_goes_on_from_its_checkpoint(classic, tmp_path, mo
     """A run that was killed on its way makes only the steps that are left, and ends bitwise the same."""
     whole = compare(classic, ("fem-explicit",), (4,), wall="plane", out=tmp_path / "whole")
     with monkeypatch.context() as patch:
-        patch.setattr("studies.running.USUAL", Interval(steps=25))
+        patch.setattr("studies.runs.running.USUAL", Interval(steps=25))
         steps = itertools.count()
-        patch.setattr("studies.contact_watch.ContactWatch.step", lambda *_: next(steps) < 60 or stopped())
+        patch.setattr(
+            "studies.observers.contact_watch.ContactWatch.step", lambda *_: next(steps) < 60 or stopped()
+        )
         with pytest.raises(KeyboardInterrupt):
             compare(classic, ("fem-explicit",), (4,), wall="plane", out=tmp_path / "out")
     assert (tmp_path / "out/fem-explicit-4/checkpoint.npz").exists()

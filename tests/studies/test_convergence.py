@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from studies.convergence import extrapolate
+from studies.comparisons.convergence import extrapolate
 
 RESOLUTIONS = [6, 8, 12, 16, 24]
 

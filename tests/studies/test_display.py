@@ -2,7 +2,7 @@
 
 import pytest
 
-from studies.display import number, plus_minus, shown_percent, shown_title, with_unit
+from studies.output.display import number, plus_minus, shown_percent, shown_title, with_unit
 
 
 @pytest.mark.parametrize(

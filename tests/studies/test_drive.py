@@ -23,9 +23,9 @@ from studies.commands.drive import add_options
 from studies.drive.driving import DriveResult, asked_test
 from studies.drive.segments import read_segment
 from studies.drive.text import remarks
-from studies.material_finder import find_material, with_update
 from studies.options import Parser
-from studies.scene_reader import read_scene
+from studies.scenes.material_finder import find_material, with_update
+from studies.scenes.reader import read_scene
 
 PULL = ["--to", "0.1", "--rate", "1e3", "--steps", "20"]
 

@@ -10,9 +10,9 @@ from core_models.loads import BodyForce, Symmetry, gravity
 from fem import ExplicitSolver
 from meshes.block import block
 from mpm import Solver
-from studies.dynamic_relaxation import relaxed
+from studies.methods.dynamic_relaxation import relaxed
+from studies.methods.quasi_static import KineticWatch
 from studies.necking.reader import read_necking_scene
-from studies.quasi_static import KineticWatch
 
 CELLS = 8
 STEEL = read_necking_scene("necking-simo").material

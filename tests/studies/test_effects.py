@@ -6,8 +6,8 @@ import pytest
 
 from core_models.specific_heat.constant import ConstantSpecificHeat
 from core_models.specific_heat.copper import CopperSpecificHeat
-from studies.effects import scene_effects
-from studies.scene import End
+from studies.scenes.effects import scene_effects
+from studies.scenes.scene import End
 
 
 def reason(scene, name):

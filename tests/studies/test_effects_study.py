@@ -6,8 +6,8 @@ from dataclasses import asdict, replace
 import pytest
 
 from core_models.errors import RunFailure, UnsupportedError
+from studies.bar.taylor_impact import Quantity
 from studies.command_line import main
-from studies.costs import Cost
 from studies.effects_study import study
 from studies.effects_study.afterwards import is_confirmed, verified
 from studies.effects_study.decision_text import decisions_text, verified_text
@@ -17,12 +17,12 @@ from studies.effects_study.study import compare_effects, planned
 from studies.effects_study.switched import AS_IT_IS, Switched
 from studies.effects_study.switches import SWITCHES
 from studies.effects_study.tables import verdict_table
-from studies.history import COLUMNS, ENERGIES, History
-from studies.plan_text import plan_text
-from studies.run_record import to_json
-from studies.run_result import RunResult
-from studies.scene_reader import read_scene
-from studies.taylor_impact import Quantity
+from studies.observers.history import COLUMNS, ENERGIES, History
+from studies.runs.costs import Cost
+from studies.runs.record import to_json
+from studies.runs.result import RunResult
+from studies.scenes.plan_text import plan_text
+from studies.scenes.reader import read_scene
 from studies.work_precision.measurement import Measurement
 
 SCENES = ("taylor-classic", "taylor-copper-jc", "taylor-copper-mts", "taylor-ofhc-190")

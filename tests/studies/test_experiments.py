@@ -14,8 +14,8 @@ from studies.commands.studies.experiments import _tell
 from studies.experiments.predictions import CARDS, predict, scene_of
 from studies.experiments.shots import read_shots
 from studies.experiments.study import compare_experiments
-from studies.fracture_watch import fracture_text
-from studies.output_folder import OutputFolder
+from studies.observers.fracture_watch import fracture_text
+from studies.output.output_folder import OutputFolder
 from studies.sweep.job import Job, perform
 from studies.sweep.processes import results_by_processes
 from studies.sweep.sweep import run_sweep

@@ -5,8 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from studies.comparing import compare
-from studies.field_maps import field_maps
+from studies.comparisons.comparing import compare
+from studies.comparisons.field_maps import field_maps
 
 RADIUS, LENGTH = 2.0, 3.0
 

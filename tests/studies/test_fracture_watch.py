@@ -4,7 +4,7 @@ import logging
 from types import SimpleNamespace
 
 from mpm.fracture import Fracture
-from studies.fracture_watch import EVERY, FractureWatch
+from studies.observers.fracture_watch import EVERY, FractureWatch
 
 
 def solver(step, fracture):

@@ -7,7 +7,7 @@ import pytest
 
 from studies.command_line import VERBS, main
 from studies.commands.study import STUDIES
-from studies.json_output import json_text
+from studies.output.json_output import json_text
 
 
 def printed(capsys, *arguments):

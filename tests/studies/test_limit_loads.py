@@ -29,9 +29,9 @@ import json
 from dataclasses import replace
 from pathlib import Path
 from studies.limit_loads import reversed_bar, solder_lap
-from studies.methods import build_solver
-from studies.scene_reader import read_scene
-from studies.shipped_scenes import find_scene
+from studies.methods.method import build_solver
+from studies.scenes.reader import read_scene
+from studies.scenes.shipped import find_scene
 
 solder_lap.ROWS, solder_lap.LENGTH = 5, 0.4e-3
 test = solder_lap.TESTS[0]

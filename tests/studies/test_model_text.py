@@ -6,7 +6,7 @@ import pytest
 
 from core_models.errors import SceneError
 from core_models.schema import SLOTS
-from studies.model_text import find_models, model_list, model_text
+from studies.laws.model_text import find_models, model_list, model_text
 
 LAWS = [(slot, model) for slot in SLOTS for model in slot.models]
 

@@ -2,8 +2,8 @@
 
 import pytest
 
-from studies.comparing import compare
-from studies.running import simulate
+from studies.comparisons.comparing import compare
+from studies.runs.running import simulate
 from tests.studies.browser import open_page
 from tests.studies.test_report_page import small_report
 

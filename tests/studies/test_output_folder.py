@@ -6,7 +6,7 @@ import sys
 import pytest
 
 from core_models.errors import OutputError
-from studies.output_folder import LOCK, OutputFolder, check_unused
+from studies.output.output_folder import LOCK, OutputFolder, check_unused
 
 
 def test_a_folder_that_holds_files_is_refused_and_left_alone(tmp_path):
@@ -33,7 +33,7 @@ def test_a_second_claim_is_refused_while_the_first_lives(tmp_path):
 def test_a_lock_left_by_a_killed_process_does_not_count(tmp_path):
     """The lock belongs to a live process, not to a file."""
     code = (
-        "import os, sys; from studies.output_folder import OutputFolder;"
+        "import os, sys; from studies.output.output_folder import OutputFolder;"
         "held = OutputFolder(sys.argv[1]); os._exit(9)"
     )
     subprocess.run([sys.executable, "-c", code, str(tmp_path / "out")], check=False)

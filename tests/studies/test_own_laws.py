@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from studies.shipped_scenes import SCENES_FOLDER
+from studies.scenes.shipped import SCENES_FOLDER
 
 ROOT = Path(__file__).resolve().parents[2]
 FLOW = re.compile(r"<plasticity_model.*?</plasticity_model>", re.S)

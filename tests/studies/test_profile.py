@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from core_models.errors import SceneError
-from studies import profile
+from studies.bar import profile
 
 
 def cylinder(radius=2.0, height=5.0):

@@ -5,8 +5,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from studies import progress, remaining
-from studies.remaining import Remaining
+from studies.observers import progress
+from studies.runs import remaining
+from studies.runs.remaining import Remaining
 
 
 def set_clock(monkeypatch):

@@ -5,8 +5,8 @@ from importlib.util import find_spec
 
 import pytest
 
-from studies.comparing import compare
-from studies.display import plus_minus
+from studies.comparisons.comparing import compare
+from studies.output.display import plus_minus
 from studies.report.document import page
 from studies.report.over_time import rendered
 from studies.report.study_page import AGREE, APART, Report, Section, Verdict

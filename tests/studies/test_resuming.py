@@ -14,8 +14,8 @@ from studies.checkpointing.checkpoint_file import FILE, read_checkpoint
 from studies.checkpointing.interval import Interval, interval_text, read_interval
 from studies.checkpointing.resuming import resume
 from studies.command_line import main
-from studies.output_folder import LOCK
-from studies.running import run
+from studies.output.output_folder import LOCK
+from studies.runs.running import run
 from tests.studies.killing import killed_run, results
 
 SOON = Interval(steps=25)
@@ -27,7 +27,7 @@ class Killed(BaseException):
 
 def stop_after(monkeypatch, steps):
     """Let every run end after so many steps as if killed."""
-    from studies.contact_watch import ContactWatch
+    from studies.observers.contact_watch import ContactWatch
 
     look, left = ContactWatch.step, [steps]
 
@@ -38,7 +38,7 @@ def stop_after(monkeypatch, steps):
         look(self, solver)
 
     monkeypatch.setattr(ContactWatch, "step", step)
-    monkeypatch.setattr("studies.running._abandon", lambda observers: None)
+    monkeypatch.setattr("studies.runs.running._abandon", lambda observers: None)
 
 
 @pytest.fixture

@@ -8,8 +8,8 @@ from dataclasses import replace
 import pytest
 
 from core_models.errors import DiskFull, OutputError, RunFailure, SceneError
-from studies.running import run
-from studies.scene import End
+from studies.runs.running import run
+from studies.scenes.scene import End
 
 
 def files(folder):
@@ -74,7 +74,7 @@ def test_a_scene_that_ends_with_release_ends_one_axial_period_after_it(fake_solv
 
 def test_a_folder_in_use_is_refused_before_anything_is_built(classic, tmp_path, monkeypatch):
     """No solver is built and nothing is written for a folder that holds something."""
-    monkeypatch.setattr("studies.running.build_solver", pytest.fail)
+    monkeypatch.setattr("studies.runs.running.build_solver", pytest.fail)
     (tmp_path / "mine.txt").write_text("mine")
     with pytest.raises(OutputError):
         run(classic, "mpm", 8, out=tmp_path)
@@ -118,7 +118,7 @@ def test_an_interrupted_run_has_no_run_json(fake_solvers, classic, tmp_path, mon
         if solver.step_count == 50:
             raise KeyboardInterrupt
 
-    monkeypatch.setattr("studies.contact_watch.ContactWatch.step", interrupt)
+    monkeypatch.setattr("studies.observers.contact_watch.ContactWatch.step", interrupt)
     with pytest.raises(KeyboardInterrupt):
         run(classic, "mpm", 8, out=tmp_path / "out")
     assert "run.json" not in files(tmp_path / "out")
@@ -138,7 +138,7 @@ def test_a_folder_removed_during_the_run_is_an_error(fake_solvers, classic, tmp_
         if solver.step_count == 50:
             shutil.rmtree(tmp_path / "out")
 
-    monkeypatch.setattr("studies.contact_watch.ContactWatch.step", remove)
+    monkeypatch.setattr("studies.observers.contact_watch.ContactWatch.step", remove)
     with pytest.raises(OutputError, match="was removed"):
         run(classic, "mpm", 8, out=tmp_path / "out")
     assert not (tmp_path / "out").exists()

@@ -5,11 +5,11 @@ from lxml import etree
 
 from core_models.errors import CardError, MaterialError, MatpointError, SceneError, UnsupportedError
 from core_models.walls import Wall
-from studies.methods import build_solver
-from studies.output_folder import OutputFolder
-from studies.scene_reader import read_scene
-from studies.scene_writer import write_scene
-from studies.shipped_scenes import SCENES_FOLDER, shipped_scenes
+from studies.methods.method import build_solver
+from studies.output.output_folder import OutputFolder
+from studies.scenes.reader import read_scene
+from studies.scenes.shipped import SCENES_FOLDER, shipped_scenes
+from studies.scenes.writer import write_scene
 
 RUBBING = '<wall type="plane" friction="0.2"/><conduction>on</conduction>'
 NAMES = ("taylor-classic", "taylor-copper-jc", "taylor-copper-mts", "taylor-hy100-gtn", "taylor-ofhc-190")

@@ -3,7 +3,7 @@
 import pytest
 
 from core_models.errors import OutputError
-from studies.study_folder import study_folder
+from studies.output.study_folder import study_folder
 
 SETTINGS = {"study": "stability", "cases": ["melting"]}
 
@@ -24,7 +24,7 @@ def test_going_on_with_the_same_sources_says_nothing(tmp_path, caplog):
 def test_going_on_with_other_sources_is_told(tmp_path, monkeypatch, caplog):
     """What has been kept stays, and the message says that it is of other sources."""
     path = begun(tmp_path / "a")
-    monkeypatch.setattr("studies.study_folder.source_hash", lambda: "other")
+    monkeypatch.setattr("studies.output.study_folder.source_hash", lambda: "other")
     with study_folder(path, SETTINGS, True):
         (message,) = caplog.messages
         assert str(path) in message and "other sources" in message and "--out" in message

@@ -2,7 +2,7 @@
 
 import io
 
-from studies import tally
+from studies.output import tally
 
 
 def test_each_run_is_counted_with_the_time_left(monkeypatch):

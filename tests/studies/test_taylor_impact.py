@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from studies.bar.quantity_names import QUANTITIES
 from studies.bar.shape import foot_height, foot_radius, length, rim_lift, standing
-from studies.quantity_names import QUANTITIES
-from studies.running import run
+from studies.runs.running import run
 
 MUSHROOM = {
     "foot": np.array([[0.0, 0.1], [3.0, 0.1], [7.0, 0.3]]),

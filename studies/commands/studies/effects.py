@@ -12,8 +12,8 @@ Exit status: 0; 2 bad input; 3 when no run came to an end.
 import argparse
 from pathlib import Path
 
-from studies.default_folder import default_folder
 from studies.options import add_json_option, add_scene_options, asked_scene, names, positive
+from studies.output.default_folder import default_folder
 
 NOTHING = 3
 
@@ -38,9 +38,9 @@ def execute(options: argparse.Namespace) -> int:
     """Print the decisions, measure, print the changes and where the report is."""
     scene = asked_scene(options)
     from studies.effects_study.study import compare_effects, planned
+    from studies.output.study_output import print_study
+    from studies.output.tally import Tally
     from studies.report.study_text import table_text
-    from studies.study_output import print_study
-    from studies.tally import Tally
 
     out = Path(options.out or default_folder(f"effects-{scene.name}"))
     methods = options.methods or ("fem-explicit", "mpm")

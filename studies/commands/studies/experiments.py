@@ -16,9 +16,9 @@ import sys
 import time
 from pathlib import Path
 
-from studies.default_folder import default_folder
+from studies.observers.progress import clock
 from studies.options import add_json_option, positive
-from studies.progress import clock
+from studies.output.default_folder import default_folder
 
 WRONG = 3
 
@@ -44,8 +44,8 @@ def execute(options: argparse.Namespace) -> int:
     """Run what is not done yet, print the medians and where the report is."""
     from studies.experiments.study import compare_experiments
     from studies.experiments.tables import sections
+    from studies.output.study_output import print_study
     from studies.report.study_text import table_text
-    from studies.study_output import print_study
 
     out = Path(options.resume or options.out or default_folder("experiments"))
     began, told = time.monotonic(), set()
@@ -66,7 +66,7 @@ def execute(options: argparse.Namespace) -> int:
 
 def _tell(result: dict, done: int, all_: int, passed: float, told: set[str]) -> None:
     """One line a run, and what it remarks that no other has; numerical fracture is told by that line."""
-    from studies.fracture_watch import fracture_text
+    from studies.observers.fracture_watch import fracture_text
 
     parted = result.get("numerical_fracture")
     fracture = "" if parted is None else fracture_text(parted)

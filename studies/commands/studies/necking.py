@@ -19,9 +19,9 @@ import sys
 import time
 from pathlib import Path
 
-from studies.default_folder import default_folder
+from studies.observers.progress import clock
 from studies.options import add_json_option, names, positive
-from studies.progress import clock
+from studies.output.default_folder import default_folder
 
 UNMET = 1
 
@@ -46,7 +46,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def execute(options: argparse.Namespace) -> int:
     """Make the runs that are not made yet, print the verdicts and where the report is."""
     from studies.necking.study import study_necking
-    from studies.study_output import print_study
+    from studies.output.study_output import print_study
     from studies.verification.text import criterion_text
 
     out = Path(options.resume or options.out or default_folder(Path(options.scene).stem))

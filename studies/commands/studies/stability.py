@@ -13,8 +13,8 @@ Exit status: 0 when no cell has failed (a refusal by a typed error is none); 1 w
 import argparse
 from pathlib import Path
 
-from studies.default_folder import default_folder
 from studies.options import add_json_option, names, positive
+from studies.output.default_folder import default_folder
 
 SOME_FAILED = 1
 
@@ -37,11 +37,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def execute(options: argparse.Namespace) -> int:
     """Run the matrix, print it and where the report is."""
+    from studies.output.study_output import print_study
+    from studies.output.tally import Tally
     from studies.stability.cases import all_cases, find_case
     from studies.stability.study import VARIANTS, pairs, survey_stability
     from studies.stability.tables import summary, without_laws
-    from studies.study_output import print_study
-    from studies.tally import Tally
 
     out = Path(options.resume or options.out or default_folder("stability"))
     cases = [find_case(name) for name in options.cases or all_cases()]

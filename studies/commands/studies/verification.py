@@ -12,8 +12,8 @@ Exit status: 0 when every criterion is met; 1 when some is not; 2 bad input.
 import argparse
 from pathlib import Path
 
-from studies.default_folder import default_folder
 from studies.options import add_json_option, names
+from studies.output.default_folder import default_folder
 
 UNMET = 1
 
@@ -40,8 +40,8 @@ def add_problem_options(parser: argparse.ArgumentParser) -> None:
 
 def run_problems(options: argparse.Namespace, study: str) -> int:
     """Run the problems of a study one after the other, print their verdicts and where the report is."""
-    from studies.study_output import print_study
-    from studies.tally import Tally
+    from studies.output.study_output import print_study
+    from studies.output.tally import Tally
     from studies.verification.study import STUDIES, verify
     from studies.verification.text import outcome_text
 

@@ -17,8 +17,8 @@ import argparse
 from collections.abc import Iterator
 from pathlib import Path
 
-from studies.default_folder import default_folder
 from studies.options import add_json_option, names, positive, whole_numbers
+from studies.output.default_folder import default_folder
 
 NOTHING = 3
 
@@ -48,8 +48,8 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def execute(options: argparse.Namespace) -> int:
     """Measure, print the tables of times and where the report is."""
     from core_models.walls import check_wall
-    from studies.study_output import print_study
-    from studies.tally import Tally
+    from studies.output.study_output import print_study
+    from studies.output.tally import Tally
     from studies.work_precision.study import compare_work, find_problem, planned
 
     wall = None if options.wall is None else check_wall(options.wall)

@@ -1,0 +1,1 @@
+"""Methods and their variants by name, and ways to slow answers from fast solvers."""

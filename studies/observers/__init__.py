@@ -1,0 +1,1 @@
+"""What hangs on a run's loop, one observer per file."""
