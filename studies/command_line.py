@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from importlib import import_module
 
 from studies.options import Parser
+from studies.output.told_once import tell_warnings_once
 from studies.own_packages import check_own_packages
 from studies.process import discard_output, interruptible, tolerate_any_text
 
@@ -35,6 +36,7 @@ BAD_INPUT, INTERRUPTED = 2, 130
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; returns its exit status: 0, 1 unmet criteria, 2 bad input, 3 a run that went wrong."""
     tolerate_any_text()
+    tell_warnings_once()
     options = None
     try:
         with interruptible():

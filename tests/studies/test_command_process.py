@@ -1,5 +1,6 @@
 """The command as a process: interruptions, and output that cannot be written."""
 
+import logging
 import os
 import signal
 import subprocess
@@ -10,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from studies.command_line import main
+from studies.output.told_once import ToldOnce
 
 
 def said(capsys):
@@ -54,6 +56,17 @@ def test_a_law_file_that_fails_is_one_line(code, capsys, tmp_path):
     assert main(["check", "taylor-classic", "--laws", str(tmp_path / "laws.py")]) == 2
     _, err = said(capsys)
     assert err.count("\n") == 1 and "laws.py" in err
+
+
+def test_a_warning_is_told_once(capfd):
+    """However many runs make it."""
+    logger = logging.getLogger("core_models.conduction")
+    told = ToldOnce()
+    logger.addHandler(told)
+    for conductivity in (1.0, 1.0, 2.0):
+        logger.warning("a conductivity of %g", conductivity)
+    logger.removeHandler(told)
+    assert capfd.readouterr().err.splitlines() == ["a conductivity of 1", "a conductivity of 2"]
 
 
 def test_being_terminated_is_like_ctrl_c(capsys, monkeypatch):

@@ -69,7 +69,7 @@ CASES = (
         "An elastic square that turns a thousand times",
         _turning,
         1000.0 * TURN,
-        1_000_000,
+        2_000_000,
         keeps=("angular momentum", lambda solver: solver.angular_momentum),
     ),
 )
