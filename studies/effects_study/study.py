@@ -7,7 +7,7 @@ from typing import Any
 
 from core_models.errors import MatpointError
 from core_models.walls import check_wall
-from studies.effects_study.decisions import decisions
+from studies.decisions.beforehand import decisions
 from studies.effects_study.off import cost_of_off
 from studies.effects_study.switched import AS_IT_IS, Switched
 from studies.effects_study.switches import SWITCHES

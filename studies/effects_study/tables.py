@@ -2,13 +2,13 @@
 
 from collections.abc import Iterable
 
-from studies.effects_study.decisions import Decision
+from studies.decisions.beforehand import Decision
 from studies.effects_study.off import OffCost
 from studies.effects_study.switched import AS_IT_IS, Switched
 from studies.output.display import number, shown_title
+from studies.report.parts import Table
 from studies.report.study_page import NEUTRAL, Report, Section, Verdict
 from studies.scenes.scene import Scene
-from studies.verification.outcome import Table
 from studies.work_precision.measurement import Measurement
 
 FIELDS = {"max_plastic_strain": "equivalent_plastic_strain", "max_temperature": "temperature"}

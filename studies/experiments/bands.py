@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from statistics import median
 from typing import Any
 
-from studies.verification.outcome import Table
+from studies.report.parts import Table
 
 TEMPERATURES = (400.0, 800.0)  # K, between bands
 SPEEDS = (200.0, 300.0)  # m/s

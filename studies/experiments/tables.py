@@ -7,9 +7,9 @@ from typing import Any
 
 from studies.experiments.bands import by_temperature_and_speed
 from studies.experiments.shots import MEASURED, MEASURED_SCATTER
+from studies.report.parts import Curve, Plot, Table
 from studies.report.study_page import Section
 from studies.sweep.job import COMPLETE
-from studies.verification.outcome import Curve, Plot, Table
 
 Result = dict[str, Any]
 NAMES = {

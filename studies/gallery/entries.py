@@ -70,7 +70,7 @@ def _rate_jump() -> Shown:
 
 
 def _plate_impact() -> Shown:
-    from studies.verification.figures import plot_svg
+    from studies.report.figures import plot_svg
     from studies.verification.problems.plate_impact import PROBLEM
 
     outcome = PROBLEM.run(True)
@@ -79,7 +79,7 @@ def _plate_impact() -> Shown:
 
 
 def _cell_crossing() -> Shown:
-    from studies.verification.figures import plot_svg
+    from studies.report.figures import plot_svg
     from studies.verification.problems.cell_crossing import PROBLEM
 
     outcome = PROBLEM.run(True)

@@ -23,9 +23,9 @@ def _necking() -> Shown:
 
 
 def _fast_impact() -> Shown:
+    from studies.report.figures import picture_svg
+    from studies.report.parts import Picture
     from studies.stability.cases import find_case
-    from studies.verification.figures import picture_svg
-    from studies.verification.outcome import Picture
 
     case, panels, strains = find_case("taylor-600"), {}, []
     for variant in ("fem-explicit", "mpm", "mpm:total"):
@@ -42,9 +42,9 @@ def _effects() -> Shown:
     from studies.bar.outline import bar_outline
     from studies.effects_study.study import planned
     from studies.methods.method import build_solver
+    from studies.report.figures import plot_svg
+    from studies.report.parts import Curve, Plot
     from studies.scenes.reader import read_scene
-    from studies.verification.figures import plot_svg
-    from studies.verification.outcome import Curve, Plot
     from studies.work_precision.bars import finish_bar, with_fixed_end
 
     scene = with_fixed_end(read_scene("taylor-copper-jc"))
@@ -63,8 +63,8 @@ def _experiments() -> Shown:
     from studies.experiments.predictions import predict
     from studies.experiments.shots import read_shots
     from studies.experiments.study import QUICK
-    from studies.verification.figures import plot_svg
-    from studies.verification.outcome import Curve, Plot
+    from studies.report.figures import plot_svg
+    from studies.report.parts import Curve, Plot
 
     shots = sorted(
         (shot for shot in read_shots() if shot.name.startswith(SERIES)), key=lambda shot: shot.velocity

@@ -12,8 +12,8 @@ from meshes.mesh import Mesh
 from studies.limit_loads.closed_forms import SPHERE, cavity_pressure
 from studies.limit_loads.loading import IMPLICIT, METHODS, Body, Pace, Record, record
 from studies.limit_loads.materials import COHESION
-from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
-from studies.verification.variant import FEM, MPM
+from studies.report.parts import FEM, MPM, Curve, Plot, Table
+from studies.verification.outcome import Criterion, Outcome
 
 INNER, OUTER = 1.0, 2.0  # m
 GROWTH = 0.002  # m, of the inner radius

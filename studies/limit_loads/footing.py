@@ -18,9 +18,9 @@ from studies.limit_loads.loading import (
     record,
 )
 from studies.limit_loads.materials import COHESION, drucker_prager, mohr_coulomb, tresca, von_mises
-from studies.verification.outcome import Criterion, Curve, Outcome, Picture, Plot, Table
+from studies.report.parts import FEM, MPM, Curve, Picture, Plot, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
-from studies.verification.variant import FEM, MPM
 
 HALF = 0.5  # m, half the footing's width
 FRICTION = 20.0  # degree

@@ -15,9 +15,9 @@ from core_models.yield_condition.von_mises import VonMises
 from meshes.block import block
 from studies.limit_loads.closed_forms import kinematic_path
 from studies.limit_loads.loading import IMPLICIT, IMPLICIT_POINTS, METHODS, STATIC, Body, Pace, Record, record
-from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
+from studies.report.parts import FEM, MPM, Curve, Plot, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
-from studies.verification.variant import FEM, MPM
 
 YOUNG, POISSON, YIELD_STRESS, MODULUS = 200e9, 0.3, 0.2e9, 10e9  # Pa
 RADIUS, LENGTH, SIZE = 2e-3, 6e-3, 1e-3  # m

@@ -10,9 +10,9 @@ from core_models.loads import Fixed, Load, Prescribed
 from core_models.material import Material
 from meshes.block import block
 from studies.limit_loads.loading import IMPLICIT, METHODS, Body, Pace, Record, record
-from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
+from studies.report.parts import FEM, MPM, Curve, Plot, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
-from studies.verification.variant import FEM, MPM
 
 LENGTH, THICKNESS = 2e-3, 0.1e-3  # m
 SHEAR = 0.1  # of the joint, at the end

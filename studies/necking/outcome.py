@@ -5,8 +5,8 @@ from studies.necking.curves import read_curve
 from studies.necking.run import NeckingRun
 from studies.necking.scene import STRIP, NeckingScene
 from studies.necking.verdicts import SCALES, Runs, criteria_of, limits_table, shown_name, value_of
-from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
-from studies.verification.variant import FEM, MPM
+from studies.report.parts import FEM, MPM, Curve, Plot, Table
+from studies.verification.outcome import Criterion, Outcome
 
 MARKS = 7  # elongations in the tables
 

@@ -20,8 +20,9 @@ from studies.necking.scene import (
     PlannedRun,
     UniformPeak,
 )
+from studies.report.parts import Table
 from studies.scenes.material_finder import with_update
-from studies.verification.outcome import Criterion, Table
+from studies.verification.outcome import Criterion
 
 Runs = Mapping[str, NeckingRun]
 

@@ -9,7 +9,8 @@ import fem
 from core_models.loads import Prescribed, Symmetry
 from meshes.necking_bar import necking_bar
 from studies.necking.reader import read_necking_scene
-from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
+from studies.report.parts import Curve, Plot, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
 
 ALONG = 4  # elements along for one across

@@ -15,7 +15,8 @@ from meshes.necking_bar import necking_bar
 from studies.necking.reader import read_necking_scene
 from studies.necking.scene import NeckingScene
 from studies.necking_cost.calculix import run_calculix
-from studies.verification.outcome import Criterion, Outcome, Table
+from studies.report.parts import Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
 
 MESHES = {False: (10, 40), True: (5, 20)}  # elements across and along; with --quick

@@ -6,6 +6,7 @@ import time
 from typing import TextIO
 
 from studies.observers.observer import Observer
+from studies.output.clock import clock
 from studies.runs.ending import Ending
 from studies.runs.remaining import Remaining
 
@@ -70,8 +71,3 @@ def columns(stream: TextIO) -> int:
         return os.get_terminal_size(stream.fileno()).columns or 80
     except OSError:
         return 80
-
-
-def clock(seconds: float) -> str:
-    """Minutes and seconds, as 3:07."""
-    return f"{int(seconds) // 60}:{int(seconds) % 60:02d}"

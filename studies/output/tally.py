@@ -4,7 +4,7 @@ import sys
 import time
 from typing import TextIO
 
-from studies.observers.progress import clock
+from studies.output.clock import clock
 
 LONGEST = 120  # letters of what is said of a run
 

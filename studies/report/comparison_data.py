@@ -2,7 +2,7 @@
 
 from studies.comparisons.comparison import Comparison
 from studies.observers.history import ENERGIES
-from studies.verification.outcome import Table
+from studies.report.parts import Table
 
 
 def quantity_data(comparison: Comparison) -> Table:

@@ -14,9 +14,9 @@ from studies.output.display import (
     shown_unit,
     with_unit,
 )
+from studies.report.parts import Table
 from studies.runs.result import RunResult
 from studies.scenes.effects import scene_effects
-from studies.verification.outcome import Table
 
 
 def quantities_table(comparison: Comparison, notes: str) -> Table:

@@ -8,7 +8,7 @@ from studies.methods.method import find_method
 from studies.output.display import SHOWN_UNITS, shown_title
 from studies.report.drawing import as_svg, drawing
 from studies.report.half_shapes import LEFT, RIGHT, draw_half, extent, finish, size
-from studies.verification.outcome import Table
+from studies.report.parts import Table
 
 COLOURS = "RdBu_r"
 CENTRAL = 99.0  # per cent of the points whose difference the colours resolve

@@ -6,12 +6,12 @@ from html import escape
 from importlib.resources import files
 
 from studies.output.versions import processor, versions
+from studies.report.figures import picture_svg, plot_svg
 from studies.report.markdown import csv_text
 from studies.report.markup import items, note, panels, section, table
+from studies.report.parts import Table
 from studies.report.study_page import AGREE, Report, Section, Verdict
-from studies.verification.figures import picture_svg, plot_svg
-from studies.verification.outcome import Table
-from studies.verification.text import shown
+from studies.report.study_text import shown
 
 MANY = 30  # rows of a table above which it is folded
 CONTENTS = 4  # sections above which a page has a list of them

@@ -4,9 +4,9 @@ import csv
 import io
 from collections.abc import Iterable
 
+from studies.report.parts import Table
 from studies.report.study_page import AGREE, APART, Report, Section
-from studies.verification.outcome import Table
-from studies.verification.text import shown
+from studies.report.study_text import shown
 
 MARKS = {AGREE: "✓ ", APART: "≠ "}
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from core_models.errors import UnsupportedError
 from studies.output.output_folder import OutputFolder
-from studies.verification.outcome import Picture, Plot, Table
+from studies.report.parts import Picture, Plot, Table
 
 AGREE, APART, NEUTRAL = "agree", "apart", ""
 

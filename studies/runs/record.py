@@ -4,7 +4,7 @@ import json
 import platform
 from dataclasses import asdict
 
-from studies.effects_study.afterwards import decision_entry, verified
+from studies.decisions.afterwards import decision_entry, verified
 from studies.methods.method import find_method
 from studies.output.versions import processor, versions
 from studies.runs.result import RunResult

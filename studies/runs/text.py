@@ -1,7 +1,7 @@
 """One run as plain text for the terminal."""
 
-from studies.effects_study.afterwards import verified
-from studies.effects_study.decision_text import verified_text
+from studies.decisions.afterwards import verified
+from studies.decisions.text import verified_text
 from studies.observers.fracture_watch import fracture_text
 from studies.output.display import shown, shown_name, shown_unit
 from studies.output.text_table import aligned

@@ -9,7 +9,7 @@ from core_models.walls import check_wall
 from fem.elements import FULL, find_element, points_of
 from meshes.quality import edge_lengths
 from studies.bar.mesh import bar_mesh
-from studies.effects_study.decisions import decisions
+from studies.decisions.beforehand import decisions
 from studies.methods.method import METHODS, planned_runs
 from studies.methods.variants import read_variant
 from studies.scenes.effects import scene_effects

@@ -5,12 +5,12 @@ from collections import Counter
 from textwrap import fill
 from typing import Any
 
+from studies.report.parts import Table
 from studies.report.study_page import Report, Section
 from studies.stability.cases import find_case
 from studies.stability.cell import FAILED, REFUSED, RESCUED, STABLE
 from studies.stability.true_limit import HIGHEST, STEPS
 from studies.stability.variants import is_implicit
-from studies.verification.outcome import Table
 
 MARKS = {STABLE: "stable", RESCUED: "redone", REFUSED: "refused", FAILED: "FAILED"}
 NAMES, WIDTH = 24, 100  # letters of a case, and of a line, in the terminal

@@ -13,10 +13,11 @@ from core_models.loads import REFERENCE, BodyForce, Load
 from core_models.material import Material
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from meshes.mesh import Mesh
+from studies.report.parts import FEM
 from studies.verification.closed_forms.manufactured import ManufacturedSolution
 from studies.verification.convergence_report import convergence_outcome
 from studies.verification.outcome import Outcome
-from studies.verification.variant import FEM, Variant, attempt, run_until
+from studies.verification.variant import Variant, attempt, run_until
 
 
 class ErrorRow(NamedTuple):

@@ -4,9 +4,10 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
+from studies.report.parts import FEM, MPM, Curve, Plot, Table
 from studies.verification.orders import error_at, fitted_order, sizes_before_floor
-from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
-from studies.verification.variant import FEM, MPM, Refused, Variant
+from studies.verification.outcome import Criterion, Outcome
+from studies.verification.variant import Refused, Variant
 
 VISIBLY = 0.3  # by how much the control's order lies below the lowest that is asked of the others
 FLAT = 0.75  # share of the order asked below which a sequence is taken to have reached its floor

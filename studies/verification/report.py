@@ -1,7 +1,8 @@
 """The report of a study of problems: a summary, then one section for each problem."""
 
+from studies.report.parts import Table
 from studies.report.study_page import AGREE, APART, Report, Section, Verdict
-from studies.verification.outcome import Outcome, Table
+from studies.verification.outcome import Outcome
 from studies.verification.problem import Problem
 from studies.verification.text import criterion_text
 

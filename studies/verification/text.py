@@ -1,12 +1,10 @@
-"""Numbers, criteria and outcomes as plain text."""
+"""Criteria and outcomes as plain text."""
 
 import math
 
-from studies.output.display import ABSENT
-from studies.verification.outcome import Cell, Criterion, Outcome
+from studies.report.study_text import shown
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
-
-DIGITS = 4
 
 
 def outcome_text(problem: Problem, outcome: Outcome) -> str:
@@ -23,21 +21,6 @@ def criterion_text(criterion: Criterion) -> str:
         return f"{criterion.what}: not measured: {criterion.reason}"
     unit = f" {criterion.unit}" if criterion.unit else ""
     return f"{criterion.what}: {shown(criterion.value)}{unit} (wanted {_wanted(criterion)}{unit})"
-
-
-def shown(value: Cell) -> str:
-    """A cell of a table: words as they are, numbers to a few digits."""
-    if value is None:
-        return ABSENT
-    if isinstance(value, str):
-        return value
-    if isinstance(value, int):
-        return f"{value:,}"
-    if value == 0.0 or 1e-3 <= abs(value) < 10.0**DIGITS:
-        return f"{value:.{DIGITS}g}"
-    if abs(value) < 1e6 and abs(value) >= 1.0:
-        return f"{value:,.0f}"
-    return f"{value:.{DIGITS - 2}e}"
 
 
 def _wanted(criterion: Criterion) -> str:

@@ -10,8 +10,7 @@ from core_models.material import Material
 from fem import ExplicitSolver
 from meshes.mesh import Mesh
 from mpm import Solver
-
-FEM, MPM = "fem", "mpm"
+from studies.report.parts import FEM
 
 Body = Callable[[float, str], Mesh]
 """Makes the mesh of a body from the size of its cells [m] and their kind."""

@@ -1,6 +1,7 @@
 """Which elements, interpolations and transfers the convergence problems try, and what is asked of each."""
 
-from studies.verification.variant import FEM, MPM, Variant
+from studies.report.parts import FEM, MPM
+from studies.verification.variant import Variant
 
 SECOND = 1.9  # of elements and of quadratic and cubic B-splines
 BEFORE_FLOOR = 1.5  # of GIMP and CPDI, before their floor

@@ -3,8 +3,8 @@
 from itertools import groupby
 
 from studies.output.display import number, shown_title
+from studies.report.parts import Table
 from studies.report.study_page import NEUTRAL, Section, Verdict
-from studies.verification.outcome import Table
 from studies.work_precision.analysis import EXTRAPOLATED, LEVELS, NOT_RESOLVABLE, Reach, by_variant, reach
 from studies.work_precision.measurement import Measurement
 from studies.work_precision.problem import Reference

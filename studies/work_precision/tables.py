@@ -3,8 +3,8 @@
 from collections.abc import Iterable
 
 from studies.output.display import number, plus_minus, shown, shown_unit
+from studies.report.parts import Curve, Plot, Table
 from studies.report.study_page import Report, Section
-from studies.verification.outcome import Curve, Plot, Table
 from studies.work_precision.analysis import (
     EXTRAPOLATED,
     LEVELS,

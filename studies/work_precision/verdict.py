@@ -3,8 +3,8 @@
 from studies.comparisons.convergence import Estimate, extrapolate
 from studies.comparisons.differences import verdict_text
 from studies.output.display import plus_minus, shown_unit
+from studies.report.parts import Table
 from studies.report.study_page import Section
-from studies.verification.outcome import Table
 from studies.work_precision.analysis import by_variant
 from studies.work_precision.measurement import Measurement
 from studies.work_precision.problem import WorkProblem

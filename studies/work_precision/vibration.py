@@ -7,11 +7,11 @@ import numpy as np
 from core_models.errors import SceneError
 from core_models.loads import Symmetry
 from studies.methods.variants import read_variant
+from studies.report.parts import FEM, MPM
 from studies.verification.bodies import strip_body
 from studies.verification.closed_forms.elastic_bodies import bar_period
 from studies.verification.convergence import neo_hookean
 from studies.verification.problems.vibrating_bar import DENSITY, HEIGHT, LENGTH, SPEED, YOUNG, period
-from studies.verification.variant import FEM, MPM
 from studies.verification.variant import Variant as Discretisation
 from studies.work_precision.problem import Reference, WorkProblem
 

@@ -7,10 +7,10 @@ import numpy as np
 from core_models.errors import SceneError
 from core_models.loads import REFERENCE, BodyForce
 from studies.methods.variants import read_variant
+from studies.report.parts import FEM, MPM
 from studies.verification.closed_forms.mms_vortex import VORTEX
 from studies.verification.convergence import neo_hookean
 from studies.verification.problems.mms_vortex import body
-from studies.verification.variant import FEM, MPM
 from studies.verification.variant import Variant as Discretisation
 from studies.work_precision.problem import Reference, WorkProblem
 

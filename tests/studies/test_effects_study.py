@@ -8,10 +8,10 @@ import pytest
 from core_models.errors import RunFailure, UnsupportedError
 from studies.bar.taylor_impact import Quantity
 from studies.command_line import main
+from studies.decisions.afterwards import is_confirmed, verified
+from studies.decisions.beforehand import decisions, disagreements
+from studies.decisions.text import decisions_text, verified_text
 from studies.effects_study import study
-from studies.effects_study.afterwards import is_confirmed, verified
-from studies.effects_study.decision_text import decisions_text, verified_text
-from studies.effects_study.decisions import decisions, disagreements
 from studies.effects_study.off import OffCost, all_off, never_had
 from studies.effects_study.study import compare_effects, planned
 from studies.effects_study.switched import AS_IT_IS, Switched

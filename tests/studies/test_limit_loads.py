@@ -20,8 +20,8 @@ from studies.limit_loads.closed_forms import (
 )
 from studies.limit_loads.loading import IMPLICIT
 from studies.limit_loads.materials import COHESION, mohr_coulomb
-from studies.verification.figures import picture_svg
-from studies.verification.outcome import Picture
+from studies.report.figures import picture_svg
+from studies.report.parts import Picture
 from studies.verification.problems import sandia_spall
 
 IN_PLAIN_PYTHON = """

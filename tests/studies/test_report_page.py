@@ -9,8 +9,8 @@ from studies.comparisons.comparing import compare
 from studies.output.display import plus_minus
 from studies.report.document import page
 from studies.report.over_time import rendered
+from studies.report.parts import Curve, Plot, Table
 from studies.report.study_page import AGREE, APART, Report, Section, Verdict
-from studies.verification.outcome import Curve, Plot, Table
 from tests.studies.browser import open_page
 
 pytest.importorskip("matplotlib")

@@ -12,18 +12,20 @@ from core_models.errors import SceneError, UnsupportedError
 from core_models.threads import Threads
 from studies.command_line import main
 from studies.report.document import page as html_page
+from studies.report.parts import FEM, MPM, Curve, Plot, Table
+from studies.report.study_text import shown
 from studies.verification import study
 from studies.verification.convergence import ErrorRow
 from studies.verification.convergence_report import convergence_outcome
 from studies.verification.orders import error_at, fitted_order, sizes_before_floor
-from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
 from studies.verification.problems.friction_block import CASES, END, FRICTION, RAMP, G, exact_way
 from studies.verification.report import report_of
 from studies.verification.study import PROBLEMS, find_problem, verify
-from studies.verification.text import criterion_text, shown
+from studies.verification.text import criterion_text
 from studies.verification.thread_clock import ThreadClock
-from studies.verification.variant import FEM, MPM, Refused, Variant, attempt
+from studies.verification.variant import Refused, Variant, attempt
 
 SIZES = (0.1, 0.05, 0.025, 0.0125)
 

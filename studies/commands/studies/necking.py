@@ -19,8 +19,8 @@ import sys
 import time
 from pathlib import Path
 
-from studies.observers.progress import clock
 from studies.options import add_json_option, names, positive
+from studies.output.clock import clock
 from studies.output.default_folder import default_folder
 
 UNMET = 1

@@ -3,12 +3,13 @@
 import numpy as np
 
 from core_models.loads import Damping, Fixed, Traction
+from studies.report.parts import FEM, MPM, Curve, Plot, Table
 from studies.verification.bodies import strip_body
 from studies.verification.closed_forms.elastica import tip_state
 from studies.verification.convergence import neo_hookean
-from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
-from studies.verification.variant import FEM, MPM, Variant, attempt, run_until
+from studies.verification.variant import Variant, attempt, run_until
 from studies.verification.variants import EVEN
 
 LENGTH, HEIGHT = 1.0, 0.08  # m

@@ -3,11 +3,12 @@
 import numpy as np
 
 from core_models.errors import RunFailure
+from studies.report.parts import MPM, Curve, Plot, Table
 from studies.verification.bodies import strip_body
 from studies.verification.convergence import neo_hookean
-from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
-from studies.verification.variant import MPM, Variant, attempt
+from studies.verification.variant import Variant, attempt
 
 YOUNG, DENSITY = 1e4, 1.0  # Pa, kg/m^3: waves run at 100 m/s
 LENGTH, HEIGHT, SIZE = 2.0, 0.16, 0.02  # m

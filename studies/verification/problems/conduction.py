@@ -11,11 +11,12 @@ from core_models.specific_heat.constant import ConstantSpecificHeat
 from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from meshes.block import block
 from meshes.mesh import Mesh
+from studies.report.parts import FEM, MPM, Curve, Plot, Table
 from studies.verification.closed_forms.conduction import cylinder, slab
 from studies.verification.orders import fitted_order
-from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
-from studies.verification.variant import FEM, MPM, Variant, attempt, run_until
+from studies.verification.variant import Variant, attempt, run_until
 
 DENSITY, SPECIFIC_HEAT, CONDUCTIVITY = 1000.0, 1.0, 1000.0  # a diffusivity of 1 m^2/s
 BULK, SHEAR = 1e4 / 3.0, 5e3

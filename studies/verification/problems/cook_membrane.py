@@ -12,9 +12,10 @@ from core_models.yield_condition.von_mises import VonMises
 from meshes.cook import cook
 from meshes.kinds import KINDS
 from meshes.mesh import Mesh
-from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
+from studies.report.parts import FEM, MPM, Curve, Plot, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
-from studies.verification.variant import FEM, MPM, Variant, attempt, run_until
+from studies.verification.variant import Variant, attempt, run_until
 from studies.verification.variants import cured, uncured
 
 DENSITY, BULK, SHEAR = 7800.0, 164.206e9, 80.1938e9  # E = 206.9 GPa, nu = 0.29

@@ -6,10 +6,11 @@ from core_models.loads import BodyForce
 from core_models.walls import Wall
 from meshes.block import block
 from meshes.mesh import Mesh
+from studies.report.parts import FEM, MPM, Curve, Plot, Table
 from studies.verification.convergence import neo_hookean
-from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
-from studies.verification.variant import FEM, MPM, Variant, attempt
+from studies.verification.variant import Variant, attempt
 
 YOUNG, DENSITY = 1e7, 1000.0  # Pa, kg/m^3: waves run at 100 m/s
 LENGTH, HEIGHT, SIZE = 1.0, 0.5, 0.125  # m

@@ -7,10 +7,11 @@ from meshes.block import block
 from meshes.elevate import elevate
 from meshes.kinds import KINDS
 from meshes.mesh import Mesh
+from studies.report.parts import FEM, Table
 from studies.verification.convergence import neo_hookean
-from studies.verification.outcome import Criterion, Outcome, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
-from studies.verification.variant import FEM, Variant, attempt
+from studies.verification.variant import Variant, attempt
 from studies.verification.variants import elements, interpolations
 
 ROUND_OFF = 1e-11  # of the change of the gradient, which is a few per cent

@@ -12,7 +12,8 @@ from core_models.updates.compressible_neo_hookean import CompressibleNeoHookean
 from core_models.updates.hyperelastic_plastic import HyperelasticPlastic
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.yield_condition.von_mises import VonMises
-from studies.verification.outcome import Criterion, Outcome, Table
+from studies.report.parts import Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
 
 TURNS = 1000

@@ -12,10 +12,11 @@ from core_models.loads import Symmetry
 from core_models.material import Material
 from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.yield_condition.von_mises import VonMises
+from studies.report.parts import FEM, MPM, Curve, Plot, Table
 from studies.verification.bodies import strip_body
-from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
-from studies.verification.variant import FEM, MPM, Variant, attempt
+from studies.verification.variant import Variant, attempt
 
 EOS = MieGruneisen(8930.0, 3940.0, 2.02, 1.489)
 SHEAR = 45.45e9  # Pa

@@ -18,10 +18,11 @@ from core_models.updates.hypoelastic_plastic import HypoelasticPlastic
 from core_models.yield_condition.von_mises import VonMises
 from meshes.block import block
 from meshes.mesh import Mesh
-from studies.verification.outcome import Criterion, Outcome, Table
+from studies.report.parts import FEM, MPM, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
 from studies.verification.thread_clock import ThreadClock
-from studies.verification.variant import FEM, MPM, Variant, attempt
+from studies.verification.variant import Variant, attempt
 
 CELL = 1e-4  # m
 RATE = 1e5  # 1/s, of isochoric compression along z: every point flows, and inertia keeps all of a small body at it

@@ -3,11 +3,12 @@
 import numpy as np
 
 from meshes.disk import disk
+from studies.report.parts import FEM, MPM, Curve, Plot, Table
 from studies.verification.closed_forms.elastic_bodies import spinning_disk
 from studies.verification.convergence import neo_hookean
-from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
-from studies.verification.variant import FEM, MPM, Variant, attempt
+from studies.verification.variant import Variant, attempt
 from studies.verification.variants import EVEN
 
 RADIUS, DENSITY, YOUNG, POISSON = 0.5, 1000.0, 1e5, 0.3  # m, kg/m^3, Pa

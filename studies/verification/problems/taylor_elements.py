@@ -1,10 +1,11 @@
 """Locking in the classic Taylor bar: every element and interpolation, with and without its cure."""
 
 from meshes.kinds import KINDS
-from studies.verification.outcome import Criterion, Outcome, Table
+from studies.report.parts import FEM, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
 from studies.verification.taylor_bars import BarState, final_state
-from studies.verification.variant import FEM, Variant, attempt
+from studies.verification.variant import Variant, attempt
 from studies.verification.variants import cured, uncured
 
 SCENE, WALL = "taylor-classic", "plane"

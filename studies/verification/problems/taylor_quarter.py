@@ -1,9 +1,10 @@
 """Taylor bars in three dimensions against the axisymmetric ones."""
 
-from studies.verification.outcome import Criterion, Outcome, Table
+from studies.report.parts import FEM, MPM, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
 from studies.verification.taylor_bars import BarState, final_state
-from studies.verification.variant import FEM, MPM, Variant, attempt
+from studies.verification.variant import Variant, attempt
 from studies.verification.variants import EVEN
 
 SCENES = ("taylor-classic", "taylor-copper-jc")

@@ -4,10 +4,11 @@ import numpy as np
 
 from meshes.disk import disk
 from meshes.join import join
+from studies.report.parts import MPM, Curve, Plot, Table
 from studies.verification.convergence import neo_hookean
-from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
-from studies.verification.variant import MPM, Variant, attempt
+from studies.verification.variant import Variant, attempt
 
 YOUNG, POISSON, DENSITY = 1000.0, 0.3, 1000.0  # Pa, -, kg/m^3
 RADIUS, CENTRES, SPEED = 0.2, ((0.2, 0.2), (0.8, 0.8)), 0.1  # m, m, m/s along both axes

@@ -3,12 +3,13 @@
 import numpy as np
 
 from core_models.loads import Symmetry
+from studies.report.parts import FEM, MPM, Curve, Plot, Table
 from studies.verification.bodies import strip_body
 from studies.verification.closed_forms.elastic_bodies import bar_period
 from studies.verification.convergence import neo_hookean
-from studies.verification.outcome import Criterion, Curve, Outcome, Plot, Table
+from studies.verification.outcome import Criterion, Outcome
 from studies.verification.problem import Problem
-from studies.verification.variant import FEM, MPM, Variant, attempt
+from studies.verification.variant import Variant, attempt
 
 LENGTH, YOUNG, DENSITY = 25.0, 100.0, 1.0  # m, Pa, kg/m^3
 SPEED = 0.1  # m/s

@@ -1,7 +1,7 @@
 """Decisions about effects as plain text."""
 
-from studies.effects_study.afterwards import is_confirmed
-from studies.effects_study.decisions import Decision
+from studies.decisions.afterwards import is_confirmed
+from studies.decisions.beforehand import Decision
 from studies.output.display import ABSENT
 from studies.output.text_table import aligned
 

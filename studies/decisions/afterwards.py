@@ -3,7 +3,7 @@
 from typing import Any
 
 from core_models.laws import elastic_moduli, heat_capacity, melting_temperature
-from studies.effects_study.decisions import HEATED, Decision, decisions
+from studies.decisions.beforehand import HEATED, Decision, decisions
 from studies.runs.result import RunResult
 
 

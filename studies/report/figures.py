@@ -1,14 +1,13 @@
-"""Figures of the verification report."""
+"""Plots and pictures of a report as SVG."""
 
 from itertools import cycle
 
 import numpy as np
 
 from studies.report.drawing import INK, METHOD_COLOURS, as_svg, drawing
-from studies.verification.outcome import Curve, Picture, Plot
-from studies.verification.variant import FEM, MPM
+from studies.report.parts import EXACT, FEM, MPM, Curve, Picture, Plot
 
-COLOURS = {FEM: METHOD_COLOURS["fem-explicit"], MPM: METHOD_COLOURS["mpm"], "exact": INK}
+COLOURS = {FEM: METHOD_COLOURS["fem-explicit"], MPM: METHOD_COLOURS["mpm"], EXACT: INK}
 MARKERS = ("o", "s", "^", "D", "v", "P", "X", "<", ">", "*", "h", "p")
 LINES = ("-", (0, (5, 1.5)), (0, (1.5, 1.2)), (0, (5, 1.2, 1.2, 1.2)))
 MANY = 15  # values of a curve above which they are not marked one by one
@@ -80,7 +79,7 @@ def _style(curve: Curve, markers, lines, scattered: bool) -> dict:
     style = {"label": curve.label, "color": COLOURS[curve.family], "linewidth": 1.0}
     if scattered:
         return style | {"linestyle": "", "marker": next(markers), "markersize": 4.0, "fillstyle": "none"}
-    if curve.family == "exact":
+    if curve.family == EXACT:
         return style | {"linestyle": "--"}
     style["linestyle"] = next(lines[curve.family])
     return style if len(curve.x) > MANY else style | {"marker": next(markers), "markersize": 3.5}
