@@ -9,6 +9,7 @@ import time
 import pytest
 
 from studies.command_line import VERBS, main
+from studies.options import names, whole_numbers
 from studies.scenes.shipped import SCENES_FOLDER
 
 
@@ -49,6 +50,15 @@ except SystemExit:
         (["run", "taylor-clasic"], "taylor-classic"),
         (["run", "taylor-classic", "--wal", "plane"], "--wall"),
         (["run", "taylor-classic", "--method", "mpn"], "mpm"),
+        (
+            ["compare", "taylor-classic", "--methods", ""],
+            "no method given; valid: fem-explicit, mpm, each also",
+        ),
+        (["run", "taylor-classic", "--method", "fem-implicit"], "study necking"),
+        (["study", "stability", "--methods", ""], "no method given; valid: fem-explicit, fem-implicit, mpm"),
+        (["study", "effects", "taylor-classic", "--methods", ","], "no method given"),
+        (["study", "work-precision", "necking-simo", "--methods", ""], "fem-implicit"),
+        (["study", "necking", "--methods", ""], "no method given; valid: "),
         (["run", "taylor-classic", "--wall", "plan"], "plane"),
         (["run", "taylor-classic", "--resolution", "x"], "whole numbers"),
         (["run", "taylor-classic", "--resolution", "0"], "cell"),
@@ -138,6 +148,12 @@ def test_check_lists_each_run_once(capsys):
     """Repeated methods and resolutions are one run."""
     assert main(["check", "taylor-classic", "--methods", "mpm,mpm", "--resolution", "4,4"]) == 0
     assert said(capsys)[0].count("mpm 4") == 1
+
+
+def test_lists_hold_everything_once():
+    """However often a name or number is given, no study makes a run twice."""
+    assert names("mpm, fem-explicit,mpm") == ("mpm", "fem-explicit")
+    assert whole_numbers("8,12,8") == (8, 12)
 
 
 def test_check_remarks_on_a_bar_that_has_melted(capsys, tmp_path):
