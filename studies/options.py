@@ -3,7 +3,7 @@
 import argparse
 import math
 import re
-from typing import Any, NoReturn
+from typing import Any, NoReturn, TextIO
 
 
 class Parser(argparse.ArgumentParser):
@@ -33,6 +33,10 @@ class Parser(argparse.ArgumentParser):
             from core_models.names import suggestion
 
             raise argparse.ArgumentError(action, f"unknown '{value}'; {suggestion(value, action.choices)}")
+
+    def print_help(self, file: TextIO | None = None) -> None:
+        """Print it; OSError, which argparse swallows, where it cannot be written."""
+        print(self.format_help(), end="", file=file, flush=True)
 
     def error(self, message: str) -> NoReturn:
         """One line, as a SceneError."""
