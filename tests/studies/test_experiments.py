@@ -179,8 +179,8 @@ def test_a_dask_sweep_that_loses_a_worker_gives_the_same(tmp_path):
     assert (tmp_path / "trace").read_text() == traces
 
 
-def test_a_scheduler_that_is_not_there_is_one_line(tmp_path, capsys, monkeypatch):
-    """Without Dask it says what to install, with Dask how to start one."""
+def test_a_scheduler_that_is_not_there_is_one_line(tmp_path, capsys, monkeypatch, caplog):
+    """Without Dask it says what to install, with Dask how to start one; that it waits is told beforehand."""
     with OutputFolder(tmp_path / "out") as folder, monkeypatch.context() as patch:
         patch.setattr("studies.sweep.sweep.is_installed", lambda: False)
         with pytest.raises(UnsupportedError, match="matpoint.sweep"):
@@ -189,6 +189,13 @@ def test_a_scheduler_that_is_not_there_is_one_line(tmp_path, capsys, monkeypatch
     monkeypatch.setattr("studies.sweep.dask_cluster.CONNECT_TIMEOUT", 0.5)
     with OutputFolder(tmp_path / "out") as folder, pytest.raises(SceneError, match="dask scheduler"):
         run_sweep([Job("a", double, (1,))], folder, scheduler="tcp://127.0.0.1:9")
+    assert "waiting up to 0.5 s" in caplog.messages[0]
+
+
+def test_a_scheduler_has_workers_of_its_own(capsys):
+    """How many processes of this machine says nothing about those of a cluster."""
+    assert main(["study", "experiments", "--scheduler", "tcp://127.0.0.1:9", "--workers", "3"]) == 2
+    assert "not allowed with" in capsys.readouterr().err
 
 
 def test_a_scheduler_that_cannot_be_used_leaves_no_folder(tmp_path, capsys):
