@@ -13,6 +13,8 @@ import pytest
 
 from studies.command_line import main
 from studies.output.told_once import ToldOnce
+from studies.process import Terminated, interruptible
+from studies.runs.costs import measured
 
 
 def said(capsys):
@@ -111,3 +113,12 @@ def test_an_interruption_that_was_swallowed_still_ends_the_run(monkeypatch, tmp_
     monkeypatch.setattr("studies.observers.contact_watch.ContactWatch.start", swallow)
     assert main(["run", "taylor-classic", "--out", str(tmp_path / "out")]) == 130
     assert not (tmp_path / "out/run.json").exists()
+
+
+def test_an_interruption_that_was_swallowed_ends_a_study_at_its_next_measurement():
+    """Compiling may swallow it, and the run that follows is measured first."""
+    with interruptible():
+        with suppress(Terminated):
+            signal.raise_signal(signal.SIGTERM)
+        with pytest.raises(Terminated), measured():
+            pass

@@ -2,8 +2,10 @@
 
 import json
 import logging
+import multiprocessing
 import os
 import signal
+import time
 
 import pytest
 
@@ -16,6 +18,7 @@ from studies.experiments.shots import read_shots
 from studies.experiments.study import compare_experiments
 from studies.observers.fracture_watch import fracture_text
 from studies.output.output_folder import OutputFolder
+from studies.process import Terminated
 from studies.sweep.job import Job, perform
 from studies.sweep.processes import results_by_processes
 from studies.sweep.sweep import run_sweep
@@ -37,6 +40,12 @@ def go_wrong():
 def die():
     """A job that takes its process with it."""
     os.kill(os.getpid(), signal.SIGKILL)
+
+
+def take_long():
+    """A job that nobody wants to wait for."""
+    time.sleep(60.0)
+    return {}
 
 
 def die_once(folder):
@@ -177,6 +186,18 @@ def test_a_dask_sweep_that_loses_a_worker_gives_the_same(tmp_path):
         traces = (tmp_path / "trace").read_text()
         assert run_sweep(jobs, folder, workers=2) == results
     assert (tmp_path / "trace").read_text() == traces
+
+
+def test_an_interruption_ends_the_processes():
+    """What is running is not waited for: SIGTERM to the command alone would take as long as its longest run."""
+    before = set(multiprocessing.active_children())
+    results = results_by_processes([Job("a", double, (1,)), Job("b", take_long)], 2)
+    assert next(results)["value"] == 2
+    began = time.monotonic()
+    with pytest.raises(Terminated):
+        results.throw(Terminated())
+    assert time.monotonic() - began < 30.0
+    assert set(multiprocessing.active_children()) <= before
 
 
 def test_a_scheduler_that_is_not_there_is_one_line(tmp_path, capsys, monkeypatch, caplog):
