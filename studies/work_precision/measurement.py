@@ -22,8 +22,8 @@ class Measurement:
     values : answers by quantity [SI]. seconds : processor time of the steps, median of the repeats; spread : of these,
     largest over smallest; repeats : how many. wall_s : the same by the clock. compile_s : compilation, which is part of
     neither. point_updates : calls of the material law; node_updates : nodes of the mesh, or of the grid near particles,
-    by steps or corrections; linear_solves : of implicit runs. array_bytes : held by the solver; memory_bytes : largest of the
-    process, with what it has compiled. message : why there are no values.
+    by steps or corrections; linear_solves : of implicit runs. array_bytes : held by the solver; memory_bytes : largest
+    of the process, with what it has compiled. message : why there are no values.
     """
 
     variant: str
