@@ -4,7 +4,6 @@ A number at or above its threshold asks for the effect. The scene decides; where
 """
 
 from dataclasses import dataclass
-from math import sqrt
 
 from core_models.damage.johnson_cook import JohnsonCookDamage
 from core_models.laws import elastic_moduli, flow_stress, heat_capacity, melting_temperature
@@ -76,20 +75,15 @@ def _conduction(scene: Scene, wall: str) -> Decision:
     return Decision("heat conduction", scene.conduction, fourier, 0.01, "Fourier number k t / (rho c R0^2)")
 
 
-def _sound(scene: Scene) -> float:
-    bulk, shear = elastic_moduli(scene.material.elasticity)
-    return sqrt((bulk + 4.0 / 3.0 * shear) / scene.material.density)
-
-
 def _equation_of_state(scene: Scene) -> Decision:
     bulk = elastic_moduli(scene.material.elasticity)[0]
-    pressure = scene.material.density * _sound(scene) * -scene.bar.velocity
+    pressure = scene.material.density * scene.wave_speed * -scene.bar.velocity
     on = scene.material.uses("uses_energy")
     return Decision("equation of state", on, pressure / bulk, 0.01, "pressure of the impact rho c v by K")
 
 
 def _viscosity(scene: Scene) -> Decision:
-    mach = -scene.bar.velocity / _sound(scene)
+    mach = -scene.bar.velocity / scene.wave_speed
     return Decision("bulk viscosity", scene.viscosity is not None, mach, 0.01, "impact speed by wave speed")
 
 
