@@ -16,12 +16,12 @@ DAMAGE = (
 
 
 def read_object(path: Path, remedy: str) -> dict[str, Any]:
-    """The JSON object in a file; OutputError, which ends with the remedy, if there is no whole one."""
+    """What a JSON object in a file holds; OutputError, which ends with the remedy, if there is no whole one."""
     try:
         content = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise unreadable(path, error, remedy) from error
-    if not isinstance(content, dict):
+    if not isinstance(content, dict) or not content:
         raise unreadable(path, TypeError(), remedy)
     return content
 

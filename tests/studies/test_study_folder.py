@@ -40,7 +40,7 @@ def test_another_plan_is_refused(tmp_path):
         pass
 
 
-DAMAGED = pytest.mark.parametrize("content", [b"", b'{"case": "melti', b"[]", b"\xff\x00"])
+DAMAGED = pytest.mark.parametrize("content", [b"", b'{"case": "melti', b"[]", b"{}", b"\xff\x00"])
 
 
 @DAMAGED
