@@ -14,7 +14,12 @@ class Terminated(KeyboardInterrupt):
     exit_status = 128 + signal.SIGTERM
 
 
-_HANDLERS = {signal.SIGINT: signal.default_int_handler, signal.SIGTERM: signal.SIG_DFL}
+AGAIN, SOON = 10.0, 0.05  # s
+_HANDLERS = {
+    signal.SIGINT: signal.default_int_handler,
+    signal.SIGTERM: signal.SIG_DFL,
+    signal.SIGALRM: signal.SIG_DFL,
+}
 _received: list[int] = []
 
 
@@ -22,7 +27,8 @@ _received: list[int] = []
 def interruptible() -> Iterator[None]:
     """Inside, SIGTERM raises Terminated and SIGINT KeyboardInterrupt; only the main thread can have that.
 
-    A signal that somebody else handles or ignores is left to them.
+    Both are raised again as long as that does not end the block: code in between may swallow them, as the compiler's
+    callbacks do. A signal that somebody else handles or ignores is left to them.
     """
     ours = {}
     if threading.current_thread() is threading.main_thread():
@@ -30,15 +36,35 @@ def interruptible() -> Iterator[None]:
     for number in ours:
         signal.signal(number, _interrupt)
     try:
-        yield
+        with _swallowed_are_told():
+            yield
     finally:
+        _raise_again_in(0.0)
         for number, usual in ours.items():
             signal.signal(number, usual)
         _received.clear()
 
 
+@contextmanager
+def _swallowed_are_told() -> Iterator[None]:
+    """Let an interruption that nobody could raise, in a callback of C code, come again in place of its traceback."""
+    before = sys.unraisablehook
+
+    def told(unraisable) -> None:
+        if isinstance(unraisable.exc_value, KeyboardInterrupt):
+            _raise_again_in(SOON)
+        else:
+            before(unraisable)
+
+    sys.unraisablehook = told
+    try:
+        yield
+    finally:
+        sys.unraisablehook = before
+
+
 def check_interrupted() -> None:
-    """Raise an interruption anew: one that came during an import or a callback may have been swallowed there."""
+    """Raise an interruption anew, at once: one that came during an import may have been swallowed there."""
     if _received:
         _interrupt(_received[-1], None)
 
@@ -58,5 +84,13 @@ def discard_output() -> None:
 
 
 def _interrupt(number: int, frame: object) -> None:
-    _received.append(number)
-    raise Terminated if number == signal.SIGTERM else KeyboardInterrupt
+    if number != signal.SIGALRM or not _received:
+        _received.append(number)
+    _raise_again_in(AGAIN)
+    raise Terminated if _received[-1] == signal.SIGTERM else KeyboardInterrupt
+
+
+def _raise_again_in(seconds: float) -> None:
+    """By the alarm clock, if it is ours; 0 stops it."""
+    if signal.getsignal(signal.SIGALRM) is _interrupt:
+        signal.setitimer(signal.ITIMER_REAL, seconds)

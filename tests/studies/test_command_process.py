@@ -1,16 +1,19 @@
 """The command as a process: interruptions, and output that cannot be written."""
 
+import ctypes
 import errno
 import logging
 import os
 import signal
 import subprocess
 import sys
+import time
 from contextlib import suppress
 from pathlib import Path
 
 import pytest
 
+from studies import process
 from studies.command_line import main
 from studies.output.told_once import ToldOnce
 from studies.process import Terminated, interruptible
@@ -122,3 +125,38 @@ def test_an_interruption_that_was_swallowed_ends_a_study_at_its_next_measurement
             signal.raise_signal(signal.SIGTERM)
         with pytest.raises(Terminated), measured():
             pass
+
+
+@pytest.fixture
+def own_alarm():
+    """The alarm clock is nobody's: the limit of time of the tests has it otherwise."""
+    before = signal.signal(signal.SIGALRM, signal.SIG_DFL)
+    left, _ = signal.setitimer(signal.ITIMER_REAL, 0.0)
+    yield
+    signal.signal(signal.SIGALRM, before)
+    signal.setitimer(signal.ITIMER_REAL, left)
+
+
+@pytest.mark.usefixtures("own_alarm")
+def test_an_interruption_that_was_swallowed_is_raised_again(monkeypatch):
+    """Imports and the compiler may swallow it; a study that measures nothing ends by it all the same."""
+    monkeypatch.setattr(process, "AGAIN", 0.05)
+    with pytest.raises(Terminated), interruptible():
+        with suppress(Terminated):
+            signal.raise_signal(signal.SIGTERM)
+        time.sleep(10.0)
+    assert signal.getitimer(signal.ITIMER_REAL)[0] == 0.0
+
+
+@pytest.mark.usefixtures("own_alarm")
+def test_an_interruption_in_a_callback_of_c_code_is_no_traceback(capfd):
+    """Where nobody can raise it, it comes again soon."""
+
+    @ctypes.CFUNCTYPE(None)
+    def callback():
+        signal.raise_signal(signal.SIGTERM)
+
+    with pytest.raises(Terminated), interruptible():
+        callback()
+        time.sleep(10.0)
+    assert capfd.readouterr().err == ""
