@@ -9,6 +9,7 @@ FAMILIES = re.compile(r"(fem|mpm)\b", re.IGNORECASE)
 UNIT = re.compile(r" \[([^\]]+)\]")
 MARKS = {"on": "on", "stable": "on", "yes": "on", "off": "off", "FAILED": "bad", "failed": "bad", "✓": "on"}
 """Cells that are a verdict, and their classes in the style."""
+STAR, BEST = "*", "best"  # end of a cell that is the best of its kind, and its class
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]], places: Mapping[str, str] | None = None) -> str:
@@ -36,12 +37,18 @@ def _cell(index: int, text: str, wordy: bool, places: Mapping[str, str]) -> str:
 
 
 def _mark(text: str) -> str:
+    if text.endswith(STAR):
+        return BEST
     return "bad" if text.endswith(" not met") else MARKS.get(text, "")
 
 
 def _class(wordy: bool, text: str) -> str:
     family = FAMILIES.match(text)
-    names = ["words"] * wordy + ([family[1].lower()] if family else []) + [text] * (text in MARKS.values())
+    names = (
+        ["words"] * wordy
+        + ([family[1].lower()] if family else [])
+        + [text] * (text in (*MARKS.values(), BEST))
+    )
     return f' class="{" ".join(names)}"' if names else ""
 
 
@@ -49,9 +56,11 @@ def _with_unit(text: str) -> str:
     return UNIT.sub(r' <span class="unit">\1</span>', escape(text))
 
 
-def panels(pictures: Iterable[str], caption: str) -> str:
-    """Figures side by side where there is room, with one caption."""
-    inner = "".join(f"<figure>{picture}</figure>" for picture in pictures)
+def panels(pictures: Iterable[str], caption: str, first: str = "") -> str:
+    """Figures side by side where there is room, with one caption; first : what stands before them."""
+    inner = f"<div>{first}</div>" * bool(first) + "".join(
+        f"<figure>{picture}</figure>" for picture in pictures
+    )
     return f'<div class="pair">{inner}</div>{note(caption) if caption else ""}' if inner else ""
 
 
