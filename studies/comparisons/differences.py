@@ -9,6 +9,7 @@ from studies.output.display import plus_minus, shown_title, shown_unit, with_uni
 from studies.runs.result import RunResult
 
 TELLING = 0.1  # an uncertainty beyond this share of the value is no basis for a verdict
+CLOSE = 0.01  # of the value, up to which two that agree are alike; farther apart, their uncertainty alone lets them
 
 
 @dataclass(frozen=True)
@@ -16,7 +17,8 @@ class Difference:
     """Second minus first, of the finest runs and of the limits; relative to the first.
 
     uncertainty: of the difference of the limits; agree: whether that difference lies within it (None: no
-    verdict is possible); verdict: the same as a sentence.
+    verdict is possible); loosely: whether they agree only because it is more than CLOSE of the value; verdict: the same
+    as a sentence.
     """
 
     quantity: str
@@ -29,6 +31,7 @@ class Difference:
     limit_relative: float | None
     uncertainty: float | None
     agree: bool | None
+    loosely: bool
     verdict: str
 
 
@@ -53,6 +56,7 @@ def difference(
         limit_relative=_relative(gap, estimates[0].value),
         uncertainty=uncertainty,
         agree=agree,
+        loosely=_is_loose(agree, gap, estimates[0].value),
         verdict=verdict_text(
             name, unit, tuple(find_method(run.method).label for run in (first, second)), estimates
         ),
@@ -69,6 +73,10 @@ def _agreement(gap: float, uncertainty: float | None, value: float) -> bool | No
     if uncertainty is None or uncertainty > TELLING * abs(value):
         return None
     return abs(gap) <= uncertainty
+
+
+def _is_loose(agree: bool | None, gap: float, value: float) -> bool:
+    return agree is True and abs(gap) > CLOSE * abs(value)
 
 
 def _relative(gap: float, base: float) -> float | None:
@@ -91,9 +99,20 @@ def verdict_text(name: str, unit: str, labels: tuple[str, str], estimates: tuple
         return f"{subject} differ by {by}; one resolution does not tell their errors."
     if agree is None:
         return f"{subject} are apart by {by}; not converged well enough for a verdict."
+    if _is_loose(agree, gap, first.value):
+        return f"{subject} agree, but only because {_doubts(labels, estimates)} (apart by {by})."
     if agree:
         return f"{subject} agree within their uncertainty (apart by {by})."
     return f"{subject} differ by {by}, more than their uncertainty ({with_unit(uncertainty, unit, 2)})."
+
+
+def _doubts(labels: tuple[str, str], estimates: tuple[Estimate, Estimate]) -> str:
+    """Which of them is uncertain by more than is close, or both, and by how much."""
+    shares = {
+        label: each.uncertainty / abs(each.value) for label, each in zip(labels, estimates, strict=True)
+    }
+    wide = {label: share for label, share in shares.items() if share > CLOSE} or shares
+    return " and ".join(f"{label} is uncertain by {100.0 * share:.2g} %" for label, share in wide.items())
 
 
 def _told(label: str, estimate: Estimate, unit: str) -> str:
