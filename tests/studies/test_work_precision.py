@@ -29,7 +29,7 @@ from studies.work_precision.measurement import Measurement, measure_run
 from studies.work_precision.problem import Reference
 from studies.work_precision.study import compare_work, find_problem, planned
 from studies.work_precision.tables import reach_table, report_of
-from studies.work_precision.verdict import verdict_section
+from studies.work_precision.verdict import limits_of, verdict_section
 
 EXACT = Reference(2.0, 0.0, "made")
 RESOLUTIONS = (4, 8, 16, 32, 64)
@@ -226,8 +226,22 @@ def test_the_two_methods_are_compared_once_by_their_first_variants():
     runs = [run for name in names for run in sequence(name)]
     runs.append(replace(runs[-1], resolution=2))
     problem = replace(find_problem("necking-simo"), references={"u": EXACT}, units={"u": "m"})
-    (sentence,) = verdict_section(problem, runs).remarks
+    sentence, _ = verdict_section(problem, runs).remarks
     assert "fem-implicit" in sentence and "mpm-implicit" in sentence and "agree" in sentence
+
+
+def test_limits_stand_beside_a_reference_that_is_given():
+    """By per cent and in both uncertainties together; an extrapolated reference, made of them, says nothing."""
+    runs = [*sequence("fem-explicit"), *sequence("mpm")]
+    limit = limits_of(runs, "u")["mpm"]
+    given = Reference(2.02, 0.01, "a book")
+    problem = replace(find_problem("vibrating-bar"), references={"u": given}, units={"u": "m"})
+    found = verdict_section(problem, runs)
+    off = (2.02 - limit.value) / math.hypot(0.01, limit.uncertainty)
+    assert f", a book: fem-explicit is off by -0.99 %, {off:.1f} times both uncertainties" in found.remarks[1]
+    assert found.tables[0].rows[1][2:4] == pytest.approx((-0.99, off), rel=1e-2)
+    joint = verdict_section(replace(problem, references={"u": replace(given, value=None)}), runs)
+    assert len(joint.remarks) == 1 and len(joint.tables[0].head) == len(found.tables[0].head) - 2
 
 
 def told(runs, reference=EXACT):
