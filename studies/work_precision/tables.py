@@ -49,7 +49,7 @@ def report_of(problem: WorkProblem, measured: list[Measurement], repeats: int) -
     facts = (
         f"{len(runs)} runs",
         f"median of {repeats}" if repeats > 1 else "one run each",
-        f"{spent / 60.0:.2g} min of processor time",
+        f"{f'{spent / 60.0:.2g} min' if spent >= 60.0 else f'{spent:.2g} s'} of processor time",
         f"{len(failures)} without an answer",
     )
     quantity, reference = next(iter(references.items()))
