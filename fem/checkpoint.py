@@ -8,8 +8,8 @@ class RestartableSteps(Restartable):
     """The half of `ExplicitSolver` that writes itself down and goes on from there."""
 
     VALUES = (
-        "positions", "velocities", "_held", "time", "step_count", "point_updates", "_last_step", "_middle",
-        "_first_step", "wall_impulse", "wall_force",
+        "positions", "velocities", "_held", "time", "step_count", "point_updates", "node_updates",
+        "_last_step", "_middle", "_first_step", "wall_impulse", "wall_force",
     )  # fmt: skip
     PARTS = (
         ("_body", ("scales",)),

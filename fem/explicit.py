@@ -120,7 +120,7 @@ class ExplicitSolver(RestartableSteps, Readout):
         self._held = np.zeros(count, dtype=np.bool_)
         self._next = tuple(a.copy() for a in (self.positions, self.velocities, self._held))
         self._node_sums = np.zeros((-(-count // NODE_CHUNK), SUMS))
-        self.time, self.step_count, self.point_updates = 0.0, 0, 0
+        self.time, self.step_count, self.point_updates, self.node_updates = 0.0, 0, 0, 0
         self._last_step, self._middle = 0.0, 1.0
         self.initial_momentum = self.momentum
         self.wall_impulse, self.wall_force = 0.0, 0.0
@@ -167,6 +167,7 @@ class ExplicitSolver(RestartableSteps, Readout):
         self.time = limit if taken == limit - self.time else self.time + taken
         self.step_count += 1
         self.point_updates += self.points.n
+        self.node_updates += len(self.positions)
         self._last_step = taken
         self._resist()
 

@@ -147,11 +147,15 @@ class Background:
         """
         self.threads.run(accelerate, self.blocks, self.geometry, self.grid, dt, keep, self.energies)
 
+    @property
+    def nodes(self) -> int:
+        """How many nodes have storage: those of all blocks near particles."""
+        return self.blocks * block_nodes(self.geometry)
+
     def damped_energy(self, keep: float) -> float:
         """What damping has taken [J]: its impulses times the mean of the velocities before and after all else."""
-        count = self.blocks * block_nodes(self.geometry)
-        records = self.grid.nodes.reshape(-1, RECORD)[:count]
-        before, after = records[:, :MASS], self.grid.after.reshape(-1, VELOCITY)[:count, :MASS]
+        records = self.grid.nodes.reshape(-1, RECORD)[: self.nodes]
+        before, after = records[:, :MASS], self.grid.after.reshape(-1, VELOCITY)[: self.nodes, :MASS]
         return 0.5 * (1.0 - keep) * float((records[:, MASS, None] * before * (before + after)).sum())
 
     def reflect(self, velocities: np.ndarray, size: int) -> None:
@@ -196,9 +200,8 @@ class Background:
         return self._power(self.grid.after.reshape(-1, VELOCITY))
 
     def _power(self, velocities: np.ndarray) -> float:
-        nodes = self.blocks * block_nodes(self.geometry)
-        forces = self.grid.nodes.reshape(-1, RECORD)[:nodes, FORCE : FORCE + 3]
-        return float((forces * velocities[:nodes, :3]).sum())
+        forces = self.grid.nodes.reshape(-1, RECORD)[: self.nodes, FORCE : FORCE + 3]
+        return float((forces * velocities[: self.nodes, :3]).sum())
 
     def give(self, dt: float, *particles) -> np.ndarray:
         """Bring deformation and velocity back; returns the sums of `to_particles`.

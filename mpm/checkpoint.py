@@ -12,7 +12,8 @@ class RestartableSteps(Restartable):
 
     VALUES = (
         "positions", "velocities", "affine", "volume_ratio", "time", "time_step", "step_count", "point_updates",
-        "_last_step", "_first_step", "_kinetic", "_stress_power", "_ahead", "wall_impulse", "wall_force",
+        "node_updates", "_last_step", "_first_step", "_kinetic", "_stress_power", "_ahead", "wall_impulse",
+        "wall_force",
     )  # fmt: skip
     PARTS = (
         ("_background", ("box", "_beyond")),

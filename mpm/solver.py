@@ -160,7 +160,8 @@ class Solver(RestartableSteps, Stepping, Books, Readout, Body):
         self._moves = np.empty_like(self.velocities) if self._transfer.share else None
         self._filled = False
         self._neighbours: Neighbours | None = None
-        self.time, self.step_count, self.point_updates, self._last_step = 0.0, 0, 0, 0.0
+        self.time, self.step_count, self.point_updates, self.node_updates = 0.0, 0, 0, 0
+        self._last_step = 0.0
         self.initial_momentum = self.momentum
         self.wall_impulse, self.wall_force = 0.0, 0.0
         self._kinetic, self._stress_power, self._ahead = self._particle_energy(), 0.0, 0.0

@@ -38,6 +38,7 @@ class Stepping:
         self.time = limit if taken == limit - self.time else self.time + taken
         self.step_count += 1
         self.point_updates += self.points.n
+        self.node_updates += self._background.nodes
         self._last_step, self._filled = taken, False
         self.time_step = self._stable_step(*self._fastest)
 

@@ -10,7 +10,7 @@ class RestartableIncrements(Restartable):
     It may go on with another tolerance, and with smaller increments.
     """
 
-    VALUES = ("_places", "_velocity", "_forces", "time", "step_count", "point_updates")
+    VALUES = ("_places", "_velocity", "_forces", "time", "step_count", "point_updates", "node_updates")
     PARTS = (
         ("_supports", ("reactions",)),
         ("_increments", ("next",)),

@@ -72,7 +72,7 @@ class QuasiStatic:
         self._increments = Increments(increment, smallest)
         self._places = nodes.copy()
         self._forces, self._velocity = np.zeros_like(nodes), np.zeros_like(nodes)
-        self.time, self.step_count, self.point_updates = 0.0, 0, 0
+        self.time, self.step_count, self.point_updates, self.node_updates = 0.0, 0, 0, 0
         self._ledger = EnergyLedger(0.0, 0.0)
 
     @property
@@ -135,6 +135,7 @@ class QuasiStatic:
                 number += 1
         self._accept(places, dt, end)
         self.point_updates += self.points.n * (corrections + 1)
+        self.node_updates += len(self._nodes) * (corrections + 1)
         self._end(attempt, corrections, CONVERGED)
         self._increments.converged(dt, corrections)
 

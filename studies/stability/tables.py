@@ -13,6 +13,7 @@ from studies.stability.true_limit import HIGHEST, STEPS
 from studies.stability.variants import is_implicit
 
 MARKS = {STABLE: "stable", RESCUED: "redone", REFUSED: "refused", FAILED: "FAILED"}
+PARTED = "parted"  # stable in numbers, but neighbouring particles no longer hold together
 NAMES, WIDTH = 24, 100  # letters of a case, and of a line, in the terminal
 
 
@@ -22,20 +23,29 @@ def summary(cells: list[dict[str, Any]]) -> str:
     for name in dict.fromkeys(cell["case"] for cell in cells):
         here = [cell for cell in cells if cell["case"] == name]
         stable = sum(cell["verdict"] in (STABLE, RESCUED) for cell in here)
-        others = [said for verdict in (REFUSED, FAILED) if (said := _named(here, verdict))]
+        others = [said for word in (PARTED, MARKS[REFUSED], MARKS[FAILED]) if (said := _named(here, word))]
         line = f"{name:<{NAMES}} {stable:>2} of {len(here)} stable" + "; ".join(["", *others])
         lines.append(fill(line, WIDTH, subsequent_indent=" " * (NAMES + 1), break_on_hyphens=False))
     return "\n".join([*lines, "", ", ".join(_counts(cells))])
 
 
-def _named(cells: list[dict[str, Any]], verdict: str) -> str:
-    names = [short(cell["variant"]) for cell in cells if cell["verdict"] == verdict]
-    return f"{MARKS[verdict]}: {'all' if len(names) == len(cells) > 1 else ', '.join(names)}" if names else ""
+def mark(cell: dict[str, Any]) -> str:
+    """The verdict on a cell in a word or two: of one that came to its end, whether particles have parted too."""
+    came_through = cell["verdict"] in (STABLE, RESCUED)
+    parted = f", {PARTED}" if came_through and cell.get("parted") else ""
+    return MARKS[cell["verdict"]] + parted
+
+
+def _named(cells: list[dict[str, Any]], word: str) -> str:
+    names = [short(cell["variant"]) for cell in cells if word in mark(cell)]
+    return f"{word}: {'all' if len(names) == len(cells) > 1 else ', '.join(names)}" if names else ""
 
 
 def _counts(cells: list[dict[str, Any]]) -> tuple[str, ...]:
     counts = Counter(cell["verdict"] for cell in cells)
-    return tuple(f"{counts[verdict]} {verdict}" for verdict in MARKS)
+    parted = sum(PARTED in mark(cell) for cell in cells)
+    more = (f"{parted} of the stable with particles that have parted",) if parted else ()
+    return (*(f"{counts[verdict]} {verdict}" for verdict in MARKS), *more)
 
 
 def short(variant: str) -> str:
@@ -53,7 +63,9 @@ def report_of(cells: list[dict[str, Any]], quick: bool, limits: dict[str, float 
     facts = (*_counts(cells), "a tenth of the steps" if quick else "all steps")
     lead = (
         "Hard cases by variants of both methods. Refused: by a typed error that says what to do; failed: a number that "
-        "is none, an energy that is off by more than a tenth, a crash, or a run that does not end."
+        "is none, an energy that is off by more than a tenth, a crash, a run that does not end, or a body that loses "
+        "what its case says that it has to keep. Parted: neighbouring particles no longer share a node of the grid, "
+        "which tears the body without any physics of fracture; its numbers stay good."
     )
     said = [cell for cell in cells if cell["verdict"] in (REFUSED, FAILED)]
     reasons = tuple(
@@ -85,7 +97,7 @@ def _matrices(cells: list[dict[str, Any]]) -> tuple[Table, ...]:
 
 def _matrix(title: str, cells: list[dict[str, Any]]) -> Table:
     variants = tuple(dict.fromkeys(cell["variant"] for cell in cells))
-    marks = {(cell["case"], cell["variant"]): MARKS[cell["verdict"]] for cell in cells}
+    marks = {(cell["case"], cell["variant"]): mark(cell) for cell in cells}
     names = dict.fromkeys(cell["case"] for cell in cells)
     rows = tuple((name, *(marks.get((name, variant)) for variant in variants)) for name in names)
     return Table(title, ("case", *(short(variant) for variant in variants)), rows)

@@ -21,8 +21,9 @@ class Measurement:
 
     values : answers by quantity [SI]. seconds : processor time of the steps, median of the repeats; spread : of these,
     largest over smallest; repeats : how many. wall_s : the same by the clock. compile_s : compilation, which is part of
-    neither. linear_solves : of implicit runs. array_bytes : held by the solver; memory_bytes : largest of the
-    process, with what it has compiled. message : why there are no values.
+    neither. point_updates : calls of the material law; node_updates : nodes of the mesh, or of the grid near particles,
+    by steps or corrections; linear_solves : of implicit runs. array_bytes : held by the solver; memory_bytes : largest
+    of the process, with what it has compiled. message : why there are no values.
     """
 
     variant: str
@@ -40,6 +41,7 @@ class Measurement:
     wall_s: float = 0.0
     repeats: int = 1
     linear_solves: int = 0
+    node_updates: int = 0
     array_bytes: int = 0
 
     def as_json(self) -> dict[str, Any]:
@@ -91,6 +93,7 @@ def measure_run(
         wall_s=median(walls),
         repeats=len(seconds),
         linear_solves=_linear_solves(solver),
+        node_updates=solver.node_updates,
         array_bytes=held_bytes(solver),
     )
 

@@ -30,6 +30,7 @@ def test_only_blocks_near_particles_have_storage(body):
     near = {tuple(block + step) for block in first >> 2 for step in np.ndindex(2, 2, 2)}
     assert {tuple(block) for block in blocks_of(solver)} == near
     assert solver._background.blocks == len(near)
+    assert solver.node_updates == 64 * len(near)
 
 
 def test_what_lies_elsewhere_does_not_matter(taylor):

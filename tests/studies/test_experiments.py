@@ -109,7 +109,7 @@ def test_the_study_goes_on_where_it_was_stopped(tmp_path, monkeypatch):
     again = compare_experiments(tmp_path / "out", quick=True, going_on=True, only=one_material)
     assert len(asked) == 7 and asked[6] == asked[1] and again.failed == 0
     table = (tmp_path / "out/medians.csv").read_text()
-    assert '"steel 4340, steel_4340_johnson_cook, mpm",3,1.0' in table
+    assert '"steel 4340, steel_4340_johnson_cook, mpm",3,0,1.0' in table
     assert '"steel 4340, up to 400 K, 200 to 300 m/s, mpm",2,1.0' in (tmp_path / "out/bands.csv").read_text()
     assert "Taylor impact experiments" in (tmp_path / "out/report.html").read_text()
     with pytest.raises(OutputError, match="quick = True, not False"):

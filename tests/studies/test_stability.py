@@ -21,7 +21,7 @@ from studies.stability.cases import all_cases, find_case
 from studies.stability.cell import FAILED, REFUSED, RESCUED, STABLE, run_cell
 from studies.stability.isolated import Task, results_of
 from studies.stability.study import VARIANTS, pairs, survey_stability
-from studies.stability.tables import summary
+from studies.stability.tables import mark, summary
 from studies.stability.true_limit import true_limit
 
 
@@ -234,6 +234,20 @@ def test_the_true_limit_of_the_step_is_found():
             return np.array([self.x])
 
     assert true_limit("fem-explicit", Oscillator) == pytest.approx(1.6, rel=0.02)
+
+
+def test_particles_that_have_parted_are_not_hidden_behind_stable():
+    """Matrix, terminal and counts say so of cells that came to their end, and of no others."""
+    cells = [
+        {"case": "soft", "variant": variant, "verdict": verdict, "parted": parted}
+        for variant, verdict, parted in (
+            ("mpm", STABLE, 2), ("mpm:flip", RESCUED, 1), ("mpm:total", STABLE, 0), ("mpm:cubic", REFUSED, 3)
+        )
+    ]  # fmt: skip
+    assert [mark(cell) for cell in cells] == ["stable, parted", "redone, parted", "stable", "refused"]
+    said = summary(cells)
+    assert "3 of 4 stable; parted: mpm, mpm flip; refused: mpm cubic" in said
+    assert "2 of the stable with particles that have parted" in said
 
 
 def test_the_study_leaves_the_matrix_with_reasons(tmp_path, capsys):

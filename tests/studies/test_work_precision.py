@@ -218,6 +218,10 @@ def test_a_bar_that_necks_is_a_problem_too():
     assert run.values["peak_force"] == pytest.approx(77.3e3, rel=2e-3)
     assert run.values["neck_radius_at_6_mm"] < run.values["neck_radius_at_5_mm"] < 4.7e-3
     assert run.steps < run.linear_solves and run.point_updates >= run.points * run.linear_solves
+    corrections = run.point_updates // run.points
+    assert (
+        run.node_updates % corrections == 0 and run.node_updates // corrections % 3 == 0
+    )  # three nodes a row
 
 
 def test_the_two_methods_are_compared_once_by_their_first_variants():
