@@ -9,7 +9,7 @@ from studies.output.display import plus_minus, shown_title, shown_unit, with_uni
 from studies.runs.result import RunResult
 
 TELLING = 0.1  # an uncertainty beyond this share of the value is no basis for a verdict
-CLOSE = 0.01  # of the value, up to which two that agree are alike; farther apart, their uncertainty alone lets them
+CLOSE = 0.01  # uncertainty by the value, above which to agree within it says little
 
 
 @dataclass(frozen=True)
@@ -17,8 +17,8 @@ class Difference:
     """Second minus first, of the finest runs and of the limits; relative to the first.
 
     uncertainty: of the difference of the limits; agree: whether that difference lies within it (None: no
-    verdict is possible); loosely: whether they agree only because it is more than CLOSE of the value; verdict: the same
-    as a sentence.
+    verdict is possible); loosely: whether they agree within an uncertainty of more than CLOSE of the
+    value; verdict: the same as a sentence.
     """
 
     quantity: str
@@ -56,7 +56,7 @@ def difference(
         limit_relative=_relative(gap, estimates[0].value),
         uncertainty=uncertainty,
         agree=agree,
-        loosely=_is_loose(agree, gap, estimates[0].value),
+        loosely=_is_loose(agree, uncertainty, estimates[0].value),
         verdict=verdict_text(
             name, unit, tuple(find_method(run.method).label for run in (first, second)), estimates
         ),
@@ -75,8 +75,8 @@ def _agreement(gap: float, uncertainty: float | None, value: float) -> bool | No
     return abs(gap) <= uncertainty
 
 
-def _is_loose(agree: bool | None, gap: float, value: float) -> bool:
-    return agree is True and abs(gap) > CLOSE * abs(value)
+def _is_loose(agree: bool | None, uncertainty: float | None, value: float) -> bool:
+    return agree is True and uncertainty > CLOSE * abs(value)
 
 
 def _relative(gap: float, base: float) -> float | None:
@@ -95,14 +95,16 @@ def verdict_text(name: str, unit: str, labels: tuple[str, str], estimates: tuple
     if relative is not None:
         by += f", {100.0 * relative:.2g} %"
     subject = f"{shown_title(name)}: {told[0]} and {told[1]}"
+    agreement = f"{subject} agree within their uncertainty (apart by {by})"
     if uncertainty is None:
         return f"{subject} differ by {by}; one resolution does not tell their errors."
     if agree is None:
         return f"{subject} are apart by {by}; not converged well enough for a verdict."
-    if _is_loose(agree, gap, first.value):
-        return f"{subject} agree, but only because {_doubts(labels, estimates)} (apart by {by})."
+    if _is_loose(agree, uncertainty, first.value):
+        only = "only because " * (abs(gap) > CLOSE * abs(first.value))
+        agreement += f", but {only}{_doubts(labels, estimates)}"
     if agree:
-        return f"{subject} agree within their uncertainty (apart by {by})."
+        return f"{agreement}."
     return f"{subject} differ by {by}, more than their uncertainty ({with_unit(uncertainty, unit, 2)})."
 
 

@@ -9,6 +9,8 @@ FAMILIES = re.compile(r"(fem|mpm)\b", re.IGNORECASE)
 UNIT = re.compile(r" \[([^\]]+)\]")
 MARKS = {"on": "on", "stable": "on", "yes": "on", "off": "off", "FAILED": "bad", "failed": "bad", "✓": "on"}
 """Cells that are a verdict, and their classes in the style."""
+TOGETHER = re.compile(r"(?<=\d) (?=(?:%|±|(?:s|µs|mm|K|kN|MPa|min)\b))|(?<=[±≤~]) | (?=\*$)")
+FIXED = "\u00a0"  # a space at which no line ends
 STAR, BEST = "*", "best"  # end of a cell that is the best of its kind, and its class
 
 
@@ -31,8 +33,8 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]], places: Mapping[st
 
 def _cell(index: int, text: str, wordy: bool, places: Mapping[str, str]) -> str:
     if index > 0:
-        return f"<td{_class(wordy, _mark(text))}>{escape(text)}</td>"
-    content = f'<a href="#{places[text]}">{escape(text)}</a>' if text in places else _with_unit(text)
+        return f"<td{_class(wordy, _mark(text))}>{_whole(text)}</td>"
+    content = f'<a href="#{places[text]}">{_whole(text)}</a>' if text in places else _with_unit(text)
     return f'<th scope="row"{_class(wordy, text)}>{content}</th>'
 
 
@@ -52,8 +54,13 @@ def _class(wordy: bool, text: str) -> str:
     return f' class="{" ".join(names)}"' if names else ""
 
 
+def _whole(text: str) -> str:
+    """Escaped; numbers stay with their units, uncertainties and marks on one line."""
+    return TOGETHER.sub(FIXED, escape(text))
+
+
 def _with_unit(text: str) -> str:
-    return UNIT.sub(r' <span class="unit">\1</span>', escape(text))
+    return UNIT.sub(r' <span class="unit">\1</span>', _whole(text))
 
 
 def panels(pictures: Iterable[str], caption: str, first: str = "") -> str:
@@ -66,7 +73,7 @@ def panels(pictures: Iterable[str], caption: str, first: str = "") -> str:
 
 def note(text: str) -> str:
     """A remark in small print."""
-    return f'<p class="note">{escape(text)}</p>'
+    return f'<p class="note">{_whole(text)}</p>'
 
 
 def section(title: str, *content: str, place: str = "") -> str:
@@ -80,6 +87,6 @@ def items(kind: str, entries: Iterable[tuple[str, str]]) -> str:
     """A list of (class, text)."""
     return (
         f'<ul class="{kind}">'
-        + "".join(f'<li class="{c}">{escape(text)}</li>' for c, text in entries)
+        + "".join(f'<li class="{c}">{_whole(text)}</li>' for c, text in entries)
         + "</ul>"
     )

@@ -11,7 +11,6 @@ from studies.work_precision.measurement import Measurement
 from studies.work_precision.problem import Reference
 
 METHODS = "finite elements", "material points"
-FIXED = "\u00a0"  # a space at which no line ends
 NOTE = (
     "The fastest variant of each method in processor seconds on one thread. *: to be taken; ≤: its coarsest run is "
     "good enough; ~: extrapolated, named only where nothing else is there."
@@ -57,7 +56,7 @@ def _cells(choice: Choice) -> tuple[str, ...]:
 
 
 def _cell(best: Best, winners: tuple[str, ...]) -> str:
-    return NOT_REACHED if best is None else _variant(best) + f"{FIXED}*" * (best[0] in winners)
+    return NOT_REACHED if best is None else _variant(best) + " *" * (best[0] in winners)
 
 
 def _sentences(answers: list[Answer]) -> list[str]:
@@ -69,7 +68,7 @@ def _sentences(answers: list[Answer]) -> list[str]:
 
 
 def _levels(group) -> str:
-    return f"{', '.join(f'{100.0 * level:g}' for _, level, _ in group)}{FIXED}%"
+    return f"{', '.join(f'{100.0 * level:g}' for _, level, _ in group)} %"
 
 
 def _told(choice: Choice) -> str:
@@ -85,7 +84,7 @@ def _told(choice: Choice) -> str:
 
 def _variant(best: tuple) -> str:
     name, time = best
-    return f"{name} {f'{time_text(time)} s'.replace(' ', FIXED)}"
+    return f"{name} {time_text(time)} s"
 
 
 def _data(answers: list[Answer]) -> Table:

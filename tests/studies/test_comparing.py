@@ -4,6 +4,7 @@ import itertools
 import json
 import re
 import shutil
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -55,8 +56,16 @@ def test_values_apart_that_agree_by_their_uncertainty_alone_are_called_so(fake_s
     }
     found = difference("foot_radius", first, second, limits)
     assert found.agree and found.loosely
-    assert "agree, but only because MPM is uncertain by 4.1 % (apart by 0.560 mm, 3.9 %)" in found.verdict
-    assert not any(each.loosely for each in comparison.differences if each.quantity == "final_length")
+    assert (
+        "agree within their uncertainty (apart by 0.560 mm, 3.9 %), but only because MPM is uncertain by 4.1 %."
+        in found.verdict
+    )
+    closer = replace(limits[second.method]["foot_radius"], value=14.5e-3)
+    near = difference("foot_radius", first, second, limits | {second.method: {"foot_radius": closer}})
+    assert near.loosely and near.verdict.endswith(", 0.28 %), but MPM is uncertain by 4.3 %.")
+    sure = Estimate(14.46e-3, 0.05e-3, 1.0, 0.0, "made")
+    alike = difference("foot_radius", first, second, dict.fromkeys(limits, {"foot_radius": sure}))
+    assert alike.agree and not alike.loosely and alike.verdict.endswith("(apart by 0 mm, 0 %).")
     comparison.differences = [found]
     text = markdown(report_of(comparison, moving=False))
     assert f"* – {found.verdict}" in text and "\n* Profiles: " in text

@@ -82,7 +82,9 @@ def test_the_page_of_a_comparison_is_whole_and_fits_a_phone(fake_solvers, classi
     for name in ("final_length", "foot_radius"):
         for limits in comparison.limits.values():
             limit = limits[name]
-            assert plus_minus(limit.value, limit.uncertainty, "m") in seen["found"]["text"]
+            assert plus_minus(limit.value, limit.uncertainty, "m") in seen["found"]["text"].replace(
+                "\u00a0", " "
+            )
     assert len(text) < 5e6
 
 
