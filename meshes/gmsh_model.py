@@ -39,6 +39,9 @@ _OPTIONS = {
 }
 """All that decides on a mesh here, so that nothing which the caller has set does."""
 
+SIGACTION_BYTES = 512
+"""More than any system's struct sigaction has."""
+
 _GMSH_NAMES = {"line2": "Line", "tri3": "Triangle", "quad4": "Quadrangle", "tet4": "Tetrahedron"}
 
 _INSTALL = "apt-get install libglu1-mesa libgl1 libgomp1 libxft2 libxcursor1 libxinerama1 libxfixes3"
@@ -102,8 +105,8 @@ def _load_gmsh() -> ModuleType:
 def _opened(gmsh: ModuleType) -> Iterator[None]:
     """Open gmsh and close it again; where it is open already, restore its current model and options."""
     if not gmsh.isInitialized():
-        gmsh.initialize([], readConfigFiles=False, interruptible=False)
-        _keep_ignoring_broken_pipes()
+        with _signals_left_alone():
+            gmsh.initialize([], readConfigFiles=False, interruptible=False)
         try:
             _set(gmsh, _OPTIONS)
             yield
@@ -120,11 +123,19 @@ def _opened(gmsh: ModuleType) -> Iterator[None]:
         gmsh.model.setCurrent(current)
 
 
-def _keep_ignoring_broken_pipes() -> None:
-    """Take back what gmsh does to SIGPIPE: without Python's knowledge it lets a closed pipe end the process."""
-    if getattr(signal, "SIGPIPE", None) and signal.getsignal(signal.SIGPIPE) is signal.SIG_IGN:
-        # Not signal.signal, which only the main thread may call.
-        ctypes.CDLL(None).signal(ctypes.c_int(signal.SIGPIPE), ctypes.c_void_p(signal.SIG_IGN.value))
+@contextmanager
+def _signals_left_alone() -> Iterator[None]:
+    """Take back what gmsh does to signals: without Python's knowledge it lets SIGPIPE and SIGTERM end the process."""
+    # Not signal.signal, which only the main thread may call and which does not see what C code has set.
+    sigaction = ctypes.CDLL(None).sigaction
+    before = {number: ctypes.create_string_buffer(SIGACTION_BYTES) for number in signal.valid_signals()}
+    for number, action in before.items():
+        sigaction(int(number), None, action)
+    try:
+        yield
+    finally:
+        for number, action in before.items():
+            sigaction(int(number), action, None)
 
 
 def _set(gmsh: ModuleType, options: Mapping[str, float]) -> None:

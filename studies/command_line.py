@@ -1,6 +1,7 @@
 """The command `matpoint`: one small module per verb, imported only when it is used."""
 
 import argparse
+import errno
 import sys
 from collections.abc import Sequence
 from importlib import import_module
@@ -28,13 +29,13 @@ EXAMPLES = """examples:
   matpoint study work-precision taylor-classic
 
 Each command has --help with examples, and --json. Exit status: 0 done; 1 a study's criterion is not met; 2 bad input;
-3 a run went wrong; 130 interrupted.
+3 a run went wrong, or the disk is full; 130 interrupted.
 """
-BAD_INPUT, INTERRUPTED = 2, 130
+BAD_INPUT, DISK_FULL, INTERRUPTED = 2, 3, 130
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command; returns its exit status: 0, 1 unmet criteria, 2 bad input, 3 a run that went wrong."""
+    """Run the command; returns its exit status, which EXAMPLES explains."""
     tolerate_any_text()
     tell_warnings_once()
     options = None
@@ -55,7 +56,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except OSError as error:
         discard_output()
         print(f"matpoint: {error.filename or 'output'}: {error.strerror or error}", file=sys.stderr)
-        return BAD_INPUT
+        return DISK_FULL if error.errno in (errno.ENOSPC, errno.EDQUOT) else BAD_INPUT
     except Exception as error:
         # MatpointError is known by its status: importing it here would load the compiler for --help.
         status = getattr(error, "exit_status", None)

@@ -3,7 +3,7 @@
 import argparse
 import math
 import re
-from typing import Any, NoReturn
+from typing import Any, NoReturn, TextIO
 
 
 class Parser(argparse.ArgumentParser):
@@ -34,6 +34,10 @@ class Parser(argparse.ArgumentParser):
 
             raise argparse.ArgumentError(action, f"unknown '{value}'; {suggestion(value, action.choices)}")
 
+    def print_help(self, file: TextIO | None = None) -> None:
+        """Print it; OSError, which argparse swallows, where it cannot be written."""
+        print(self.format_help(), end="", file=file, flush=True)
+
     def error(self, message: str) -> NoReturn:
         """One line, as a SceneError."""
         from core_models.errors import SceneError
@@ -42,11 +46,11 @@ class Parser(argparse.ArgumentParser):
 
 
 def whole_numbers(text: str) -> tuple[int, ...]:
-    """Whole numbers separated by commas."""
+    """Whole numbers separated by commas, each once."""
     words = text.split(",")
     if not all(re.fullmatch("[0-9]{1,9}", word) for word in words):
         raise argparse.ArgumentTypeError(f"'{text}' is not a list of whole numbers like 8,12,16")
-    return tuple(int(word) for word in words)
+    return tuple(dict.fromkeys(int(word) for word in words))
 
 
 def positive(text: str) -> int:
@@ -80,8 +84,8 @@ def numbers(text: str) -> tuple[float, ...]:
 
 
 def names(text: str) -> tuple[str, ...]:
-    """Names separated by commas."""
-    return tuple(word.strip() for word in text.split(","))
+    """Names separated by commas, each once."""
+    return tuple(dict.fromkeys(word.strip() for word in text.split(",")))
 
 
 def add_scene_options(parser: argparse.ArgumentParser, *, optional: bool = False) -> None:
@@ -122,7 +126,12 @@ def add_material_options(parser: argparse.ArgumentParser) -> None:
 def add_method_options(parser: argparse.ArgumentParser) -> None:
     """Method, resolution, wall, threads, output."""
     parser.add_argument(
-        "--method", "--methods", dest="methods", metavar="A[,B]", type=names, help="fem-explicit, mpm"
+        "--method",
+        "--methods",
+        dest="methods",
+        metavar="A[,B]",
+        type=names,
+        help="fem-explicit, mpm, or variants like mpm:cubic",
     )
     parser.add_argument(
         "--resolution", metavar="N[,N...]", type=whole_numbers, help="elements or cells across the radius"

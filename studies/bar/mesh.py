@@ -10,6 +10,7 @@ from meshes.mesh import Mesh
 from studies.scenes.scene import Scene
 
 FIT = 0.01  # largest relative difference between an own mesh's size and the cylinder it stands for
+FEWEST = 2  # elements or cells across the radius
 MOST_POINTS = 4_000_000
 POINTS_OF_ONE = {2: 4.0, 3: 2.0 * pi}  # points of a body as long as wide, one element across, by dimension
 BYTES_PER_POINT = 1000  # state, kinematics and output of one point, roughly
@@ -68,20 +69,29 @@ def own_resolution(scene: Scene) -> int:
 def check_resolution(scene: Scene, resolution: int, dimension: int = 2, per_cell: int = 1) -> int:
     """A resolution of at least two elements or cells across the radius whose points fit in memory.
 
-    Raises SceneError, before anything of that size is made.
+    Raises SceneError, before anything of that size is made; also for a bar so slender that no resolution fits.
     """
     try:
         number = index(resolution)
     except TypeError as error:
         raise SceneError(f"resolution {resolution!r} is no whole number; give one like 8") from error
-    if number < 2:
-        raise SceneError(f"resolution {number} leaves no usable cell across the radius; give 2 or more")
+    if number < FEWEST:
+        raise SceneError(
+            f"resolution {number} leaves no usable cell across the radius; give {FEWEST} or more"
+        )
     points_of_one = POINTS_OF_ONE[dimension] * per_cell**dimension * scene.bar.length / scene.bar.radius
     largest = int((MOST_POINTS / points_of_one) ** (1.0 / dimension))
-    if number > largest:
-        points = points_of_one * number**dimension
+    if largest < FEWEST:
         raise SceneError(
-            f"resolution {number} makes some {points:.2g} points, which need about "
-            f"{points * BYTES_PER_POINT / 2**30:.0f} GiB of memory; give {largest} or less"
+            f"the bar is too slender, {scene.bar.length:g} m long with a radius of {scene.bar.radius:g} m: even "
+            f"resolution {FEWEST}, the coarsest, {_needs(points_of_one * FEWEST**dimension)}; correct its <cylinder>"
+        )
+    if number > largest:
+        raise SceneError(
+            f"resolution {number} {_needs(points_of_one * number**dimension)}; give {largest} or less"
         )
     return number
+
+
+def _needs(points: float) -> str:
+    return f"makes some {points:.2g} points, which need about {points * BYTES_PER_POINT / 2**30:.0f} GiB of memory"

@@ -1,8 +1,6 @@
 """The file of a checkpoint: checkpoint.npz in the folder of the run."""
 
 import json
-import zipfile
-import zlib
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -12,6 +10,7 @@ from core_models.atomic import replacing
 from core_models.checkpoint import Checkpoint, part_of, under
 from core_models.compilation import source_hash
 from core_models.errors import OutputError
+from studies.output.kept_file import DAMAGE, unreadable
 from studies.output.output_folder import OutputFolder
 
 FILE = "checkpoint.npz"
@@ -70,9 +69,9 @@ def read_checkpoint(path: Path) -> Saved:
         raise OutputError(
             f"{path}: holds no {FILE}, so no run to go on with; start it with matpoint run"
         ) from None
-    except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile, zlib.error) as error:
-        raise OutputError(
-            f"{path / FILE}: cannot be read ({error}); it is damaged: run the scene again"
+    except DAMAGE as error:
+        raise unreadable(
+            path / FILE, error, f"remove {path} and run the scene, or resume the comparison, again"
         ) from error
     if saved.settings.sources != source_hash():
         raise OutputError(

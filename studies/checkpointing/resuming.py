@@ -1,17 +1,19 @@
 """Going on with a run that was killed, interrupted, or ran out of disk."""
 
-import json
 from dataclasses import replace
 from pathlib import Path
 
 from core_models.errors import OutputError
 from studies.checkpointing.checkpoint_file import FILE, read_checkpoint
 from studies.checkpointing.interval import Interval, read_interval
+from studies.output.kept_file import read_object
 from studies.output.output_folder import OutputFolder, ResumedFolder
 from studies.runs.remaining import Remaining
 from studies.runs.result import RunResult
 from studies.runs.running import simulate
 from studies.scenes.reader import read_scene
+
+ANEW = "start it anew with matpoint run"
 
 
 def resume(
@@ -26,9 +28,7 @@ def resume(
     with ResumedFolder(path) as folder:
         record = folder.path / "run.json"
         if record.exists() and not can_go_on(folder):
-            raise OutputError(
-                f"{path}: {_why_not(json.loads(record.read_text(encoding='utf-8'))['message'])}"
-            )
+            raise OutputError(f"{path}: {_why_not(read_object(record, ANEW).get('message', ''))}")
         result = go_on(folder, threads=threads, interval=interval, progress=progress)
     if result.failure is not None:
         raise result.failure
@@ -36,8 +36,9 @@ def resume(
 
 
 def _why_not(message: str) -> str:
+    """Of the message what went wrong; its own remedy was for the run that there was."""
     if message:
-        return f"the run there went wrong before its first checkpoint ({message}); start it anew with matpoint run"
+        return f"the run there went wrong before its first checkpoint: {message.partition(';')[0]}; {ANEW}"
     return "the run there has ended; nothing is left to resume"
 
 

@@ -17,8 +17,13 @@ def verified(result: RunResult) -> list[tuple[Decision, float | None]]:
 
 
 def is_confirmed(decision: Decision, found: float | None) -> bool | None:
-    """Whether what the run has found says the same as what the scene has; None if it cannot tell."""
-    return None if found is None else (found >= decision.threshold) == decision.on
+    """Whether what the run has found is on the same side of the threshold as the scene's number.
+
+    None where the run or the scene has none.
+    """
+    if found is None or decision.wanted is None:
+        return None
+    return (found >= decision.threshold) == decision.wanted
 
 
 def decision_entry(decision: Decision, found: float | None) -> dict[str, Any]:

@@ -4,10 +4,11 @@ A number at or above its threshold asks for the effect. The scene decides; where
 """
 
 from dataclasses import dataclass
-from math import sqrt
 
 from core_models.damage.johnson_cook import JohnsonCookDamage
+from core_models.erosion.preserve_stress import PreserveStress
 from core_models.laws import elastic_moduli, flow_stress, heat_capacity, melting_temperature
+from core_models.material import Material
 from studies.scenes.effects import STANDARD_GRAVITY
 from studies.scenes.scene import Scene
 
@@ -19,7 +20,8 @@ TYPICAL_STRAIN, TYPICAL_RATE = 0.1, 1e4  # at which the flow stress is taken; 1/
 class Decision:
     """One effect: whether the scene has it, the number that asks for it, its threshold, and what the number is.
 
-    number None: the scene has no numbers that could tell, and `meaning` says why.
+    number None: the scene has no numbers that could tell, and `meaning` says why. acts: False of what is computed and
+    reported, but changes no answer.
     """
 
     effect: str
@@ -27,6 +29,7 @@ class Decision:
     number: float | None
     threshold: float
     meaning: str
+    acts: bool = True
 
     @property
     def wanted(self) -> bool | None:
@@ -76,20 +79,15 @@ def _conduction(scene: Scene, wall: str) -> Decision:
     return Decision("heat conduction", scene.conduction, fourier, 0.01, "Fourier number k t / (rho c R0^2)")
 
 
-def _sound(scene: Scene) -> float:
-    bulk, shear = elastic_moduli(scene.material.elasticity)
-    return sqrt((bulk + 4.0 / 3.0 * shear) / scene.material.density)
-
-
 def _equation_of_state(scene: Scene) -> Decision:
     bulk = elastic_moduli(scene.material.elasticity)[0]
-    pressure = scene.material.density * _sound(scene) * -scene.bar.velocity
+    pressure = scene.material.density * scene.wave_speed * -scene.bar.velocity
     on = scene.material.uses("uses_energy")
     return Decision("equation of state", on, pressure / bulk, 0.01, "pressure of the impact rho c v by K")
 
 
 def _viscosity(scene: Scene) -> Decision:
-    mach = -scene.bar.velocity / _sound(scene)
+    mach = -scene.bar.velocity / scene.wave_speed
     return Decision("bulk viscosity", scene.viscosity is not None, mach, 0.01, "impact speed by wave speed")
 
 
@@ -101,13 +99,19 @@ def _strength(scene: Scene) -> float:
 
 def _damage(scene: Scene) -> Decision:
     material, bar = scene.material, scene.bar
-    on = material.damage is not None
+    on, acts = material.damage is not None, _damage_acts(material)
     if not isinstance(material.damage, JohnsonCookDamage) or material.flow is None:
-        return Decision("damage", on, None, 0.1, "no damage law that says at which strain it fails")
+        return Decision("damage", on, None, 0.1, "no damage law that says at which strain it fails", acts)
     strain = material.density * bar.velocity**2 / _strength(scene)
     failure = material.damage.D1 + material.damage.D2
     meaning = "strain of the foot rho v^2 / sigma_y by the failure strain without pressure"
-    return Decision("damage", on, strain / failure, 0.1, meaning)
+    return Decision("damage", on, strain / failure, 0.1, meaning, acts)
+
+
+def _damage_acts(material: Material) -> bool:
+    """By a share of the strength, by what erosion takes from failed points, or through the yield condition."""
+    erodes = material.erosion is not None and not isinstance(material.erosion, PreserveStress)
+    return erodes or getattr(material.damage, "coupling", 1.0) > 0.0
 
 
 def _friction(scene: Scene) -> Decision:

@@ -14,7 +14,7 @@ def decisions_text(found: list[Decision]) -> str:
 
 
 def verified_text(found: list[tuple[Decision, float | None]]) -> str:
-    """The same, and beside it the number that a run has found, and whether it says so too."""
+    """The same, and beside it the number that a run has found, and whether it is needed, as the scene's number said."""
     return _lines([[*_decided(each), _afterwards(each, number), each.meaning] for each, number in found])
 
 
@@ -36,7 +36,11 @@ def _decided(decision: Decision) -> list[str]:
 def _afterwards(decision: Decision, number: float | None) -> str:
     if number is None:
         return "the run cannot tell"
-    return f"found {number:.2g}: " + ("confirmed" if is_confirmed(decision, number) else "not confirmed")
+    confirmed = is_confirmed(decision, number)
+    if confirmed is None:
+        return f"found {number:.2g}"
+    needed = "needed" if number >= decision.threshold else "not needed"
+    return f"found {number:.2g}: {needed}" + (", as foreseen" if confirmed else " after all")
 
 
 def _number(decision: Decision) -> str:
@@ -47,6 +51,8 @@ def _number(decision: Decision) -> str:
 
 
 def _verdict(decision: Decision) -> str:
+    if decision.on and not decision.acts:
+        return "reported only: changes no answer"
     if decision.wanted is None:
         return "the scene's choice"
     if decision.wanted == decision.on:

@@ -9,11 +9,12 @@ from typing import Any
 
 from core_models.errors import SceneError
 from core_models.names import suggestion
-from studies.methods.solver_options import ELEMENTS, PARTICLES
+from studies.methods.solver_options import ELEMENTS, PARTICLES, SOLVER_OPTIONS
 
 PLANAR_KINDS = ("quad4", "quad8", "quad9", "tri3", "tri6")
 SPATIAL_KINDS = ("hex8", "hex20", "hex27", "tet4", "tet10")
 SPATIAL = "spatial"
+EXAMPLE = "mpm:cubic"
 KIND = "kind"
 
 WORDS: dict[str, dict[str, tuple[str, ...]]] = {
@@ -55,7 +56,9 @@ def read_variant(name: str, known: dict[str, dict[str, tuple[str, ...]]] = WORDS
     """The variant of that name among the known ones; SceneError for an unknown solver or word, with the nearest."""
     solver, colon, words = name.partition(":")
     if solver not in known:
-        raise SceneError(f"unknown method '{solver}'; {suggestion(solver, known)}")
+        raise SceneError(
+            f"{_unknown(solver)}; {suggestion(solver, known)}, each also with words as in {EXAMPLE}"
+        )
     option_of = {word: option for option, values in known[solver].items() for word in values}
     if "hex8" in option_of:
         option_of[SPATIAL] = KIND
@@ -69,3 +72,11 @@ def read_variant(name: str, known: dict[str, dict[str, tuple[str, ...]]] = WORDS
         given[option] = word
     kind = given.pop(KIND, "quad4")
     return Variant(solver, "hex8" if kind == SPATIAL else kind, given)
+
+
+def _unknown(solver: str) -> str:
+    if not solver:
+        return "no method given"
+    if solver in SOLVER_OPTIONS:
+        return f"method '{solver}' does not run this, but what is loaded slowly (matpoint study necking)"
+    return f"unknown method '{solver}'"

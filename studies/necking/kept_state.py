@@ -1,8 +1,6 @@
 """The state of a run that is on its way, in a file from which another process goes on."""
 
 import time
-import zipfile
-import zlib
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +8,7 @@ import numpy as np
 from core_models.atomic import replacing
 from core_models.checkpoint import Checkpoint
 from core_models.compilation import source_hash
+from studies.output.kept_file import DAMAGE
 
 SOURCES = "sources"
 EVERY = 5.0  # s of work between two states
@@ -32,7 +31,7 @@ class KeptState:
         try:
             with np.load(self.path, allow_pickle=False) as file:
                 state = {name: file[name] for name in file.files}
-        except (OSError, ValueError, EOFError, zipfile.BadZipFile, zlib.error):
+        except DAMAGE:
             return None
         return state if str(state.pop(SOURCES, "")) == source_hash() else None
 

@@ -29,9 +29,10 @@ from studies.verification.text import criterion_text
 def planned(scene: NeckingScene, methods: Sequence[str] | None, quick: bool) -> list[PlannedRun]:
     """The runs of a scene that are asked for, extra ones by name; SceneError for a method or run it does not have."""
     for method in methods or ():
-        known = (*METHODS, *(plan.name for plan in scene.runs))
+        known = {*METHODS, *(plan.name for plan in scene.runs)}
         if method not in known:
-            raise SceneError(f"no method or run is called {method!r}; {suggestion(method, known)}")
+            wrong = f"no method or run is called {method!r}" if method else "no method given"
+            raise SceneError(f"{wrong}; {suggestion(method, known)}")
     plans = [plan for plan in scene.runs if _wanted(plan, methods) and (plan.quick or not quick)]
     if not plans:
         there = sorted({plan.method for plan in scene.runs if plan.quick or not quick})

@@ -18,6 +18,9 @@ class OutputFolder:
     process has it. Every file goes to a temporary name in the same folder, is flushed to disk, then renamed.
     """
 
+    REMEDY = "choose another with --out"
+    """For a folder that another live process has."""
+
     def __init__(self, path: Path | str) -> None:
         self.path = Path(path)
         check_unused(self.path)
@@ -29,12 +32,15 @@ class OutputFolder:
             raise unwritable(self.path, error) from error
         self._claim()
 
+    def _live(self) -> OutputError:
+        return _live(self.path, self.REMEDY)
+
     def _lock_file(self) -> None:
         try:
             fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError as error:
             self._lock.close()
-            raise _live(self.path) from error
+            raise self._live() from error
 
     def _claim(self) -> None:
         self._lock_file()
@@ -99,12 +105,14 @@ class ResumedFolder(OutputFolder):
     there is no such folder or another live process has it.
     """
 
+    REMEDY = "wait for it, or stop it"
+
     def __init__(self, path: Path | str) -> None:
         self.path, self._made = Path(path), []
         if not self.path.is_dir():
             raise OutputError(f"{path}: no such folder; name that of a run which did not end")
         if _is_held(self.path):
-            raise _live(self.path)
+            raise self._live()
         try:
             self._lock = open(self.path / LOCK, "a")  # noqa: SIM115 - held open as long as the folder is ours
         except OSError as error:
@@ -118,7 +126,7 @@ class ResumedFolder(OutputFolder):
         # Between opening and locking, the process that had the folder may have ended and removed its lock.
         if not self._is_ours():
             self._lock.close()
-            raise _live(self.path)
+            raise self._live()
 
 
 def check_unused(path: Path | str) -> None:
@@ -128,7 +136,7 @@ def check_unused(path: Path | str) -> None:
         if path.exists() and not path.is_dir():
             raise OutputError(f"{path}: is a file, not a folder; choose another with --out")
         if path.is_dir() and _is_held(path):
-            raise _live(path)
+            raise _live(path, OutputFolder.REMEDY)
         if path.is_dir() and _holds_files(path):
             raise _not_empty(path)
     except OSError as error:
@@ -151,10 +159,8 @@ def _is_held(path: Path) -> bool:
     return False
 
 
-def _live(path: Path) -> OutputError:
-    return OutputError(
-        f"{path}: output folder in use (another run is writing to it); choose another with --out"
-    )
+def _live(path: Path, remedy: str) -> OutputError:
+    return OutputError(f"{path}: output folder in use (another run is writing to it); {remedy}")
 
 
 def _not_empty(path: Path) -> OutputError:

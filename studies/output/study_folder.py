@@ -9,6 +9,7 @@ from typing import Any
 
 from core_models.compilation import source_hash
 from core_models.errors import OutputError
+from studies.output.kept_file import read_object
 from studies.output.output_folder import OutputFolder, ResumedFolder
 from studies.runs.record import to_json
 
@@ -22,7 +23,7 @@ def study_folder(path: Path | str, settings: dict[str, Any], going_on: bool) -> 
     """The folder, ours until the end; settings say which study it holds.
 
     going_on : it is that of a study with the same settings, which was stopped. Raises OutputError for a folder that is
-    in use, or that another study was started in; warns if other sources did.
+    in use, that another study was started in, or whose settings are damaged; warns if other sources did.
     """
     with ResumedFolder(path) if going_on else OutputFolder(path) as folder:
         now = {"sources": source_hash()} | settings
@@ -41,7 +42,11 @@ def study_folder(path: Path | str, settings: dict[str, Any], going_on: bool) -> 
 
 def _before(path: Path) -> dict[str, Any]:
     file = path / SETTINGS
-    return json.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
+    return (
+        read_object(file, "it says which study the folder holds: start another with --out")
+        if file.exists()
+        else {}
+    )
 
 
 def _check_settings(path: Path, before: dict[str, Any], settings: dict[str, Any]) -> None:
@@ -68,9 +73,9 @@ def _entry(entry: Any) -> str:
 
 
 def kept(folder: OutputFolder, key: str) -> dict[str, Any] | None:
-    """The result that was kept under a key, or None."""
+    """The result that was kept under a key, or None; OutputError if its file is damaged."""
     path = folder.path / KEPT / f"{_file(key)}.json"
-    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else None
+    return read_object(path, "remove it and resume again") if path.exists() else None
 
 
 def keep(folder: OutputFolder, key: str, result: dict[str, Any]) -> None:

@@ -10,6 +10,8 @@ from pathlib import Path
 
 from numba.core.event import Listener, install_listener
 
+from studies.process import check_interrupted
+
 
 @dataclass
 class Cost:
@@ -57,7 +59,11 @@ class _CompileClock(Listener):
 
 @contextmanager
 def measured() -> Iterator[Cost]:
-    """Measure what happens inside: wall, processor and compile time, peak memory."""
+    """Measure what happens inside: wall, processor and compile time, peak memory.
+
+    An interruption that was swallowed before, as while compiling, ends the command here.
+    """
+    check_interrupted()
     cost, compiling = Cost(), _CompileClock()
     _reset_peak_memory()
     wall, cpu = time.perf_counter(), time.process_time()

@@ -1,6 +1,5 @@
 """What a scene would simulate, in words and numbers."""
 
-from core_models.laws import melting_temperature
 from core_models.material import Material
 from core_models.walls import check_wall
 from studies.decisions.beforehand import decisions
@@ -9,16 +8,17 @@ from studies.methods.method import METHODS
 from studies.output.display import number
 from studies.output.text_table import aligned
 from studies.scenes.effects import scene_effects
-from studies.scenes.plan import plan_of
+from studies.scenes.plan import PlannedRun, plan_of
+from studies.scenes.remarks import scene_remarks
 from studies.scenes.scene import Scene
 
 
 def plan_text(
     scene: Scene, methods: tuple[str, ...] | None, resolutions: tuple[int, ...] | None, wall: str | None
 ) -> str:
-    """Scene, material, effects and, per run, mesh and estimated steps."""
+    """Scene, material, effects and, per run, mesh and estimated steps; what is odd about them last."""
     wall = check_wall(wall or scene.wall)
-    bar = scene.bar
+    bar, runs = scene.bar, plan_of(scene, methods, resolutions, wall)
     parts = [
         f"{scene.name}: {scene.description}",
         f"bar      L0 {bar.length * 1e3:g} mm, R0 {bar.radius * 1e3:g} mm, "
@@ -28,13 +28,9 @@ def plan_text(
         f"material {_laws(scene.material)}",
         "what is simulated\n" + aligned(_effect_rows(scene, wall, methods or tuple(METHODS))),
         "what the numbers ask for\n" + decisions_text(decisions(scene, wall)),
-        aligned(_run_rows(scene, methods, resolutions, wall)),
+        aligned(_run_rows(runs)),
+        *(f"remark: {each}" for each in scene_remarks(scene, wall, [run.first_step for run in runs])),
     ]
-    if scene.bar.temperature >= melting_temperature(scene.material.melting):
-        parts.append(
-            f"remark: the bar begins at {bar.temperature:g} K, at or above its melting temperature, "
-            f"{melting_temperature(scene.material.melting):g} K: it has no strength"
-        )
     if scene.unused:
         parts.append("tags that do nothing:\n" + "\n".join(f"  {tag}" for tag in scene.unused))
     return "\n\n".join(parts)
@@ -66,9 +62,7 @@ def _effect_rows(scene: Scene, wall: str, methods: tuple[str, ...]) -> list[list
     return [[e.name, "on " if e.on else "off", e.reason.ljust(width)] for e in effects]
 
 
-def _run_rows(
-    scene: Scene, methods: tuple[str, ...] | None, resolutions: tuple[int, ...] | None, wall: str
-) -> list[list[str]]:
+def _run_rows(runs: list[PlannedRun]) -> list[list[str]]:
     head = ["run", "points", "smallest edge mm", "steps to the latest end, some"]
     return [head] + [
         [
@@ -77,5 +71,5 @@ def _run_rows(
             number(run.smallest_edge * 1e3, 3),
             f"{run.fewest_steps} to {run.most_steps}",
         ]
-        for run in plan_of(scene, methods, resolutions, wall)
+        for run in runs
     ]

@@ -117,6 +117,12 @@ class Scene:
             check_conduction(self.material)
 
     @property
+    def wave_speed(self) -> float:
+        """Speed of elastic waves of volume [m/s]: sqrt((K + 4/3 G) / rho)."""
+        bulk, shear = elastic_moduli(self.material.elasticity)
+        return sqrt((bulk + 4.0 / 3.0 * shear) / self.material.density)
+
+    @property
     def axial_period(self) -> float:
         """Time of an elastic wave along the undeformed bar and back [s]: 2 L0 / sqrt(E / rho)."""
         bulk, shear = elastic_moduli(self.material.elasticity)

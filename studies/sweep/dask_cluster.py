@@ -3,6 +3,7 @@
 import logging
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from importlib.util import find_spec
 from typing import Any
 
 from core_models.errors import SceneError
@@ -14,12 +15,8 @@ CONNECT_TIMEOUT = 10.0  # s
 
 
 def is_installed() -> bool:
-    """Whether Dask's distributed scheduler can be imported."""
-    try:
-        import distributed  # noqa: F401
-    except ImportError:
-        return False
-    return True
+    """Whether Dask's distributed scheduler is there; importing it takes seconds."""
+    return find_spec("distributed") is not None
 
 
 @contextmanager
@@ -28,6 +25,8 @@ def client_of(scheduler: str | None, workers: int) -> Iterator[Any]:
 
     Raises SceneError when nothing answers at the address.
     """
+    if scheduler is not None:
+        logger.warning("--scheduler %s: waiting up to %g s for its answer", scheduler, CONNECT_TIMEOUT)
     from distributed import Client, LocalCluster
 
     if scheduler is None:

@@ -1,9 +1,11 @@
 """Jobs in processes of this machine, without Dask: a process that dies costs its own job only."""
 
 import multiprocessing
+import signal
 from collections import deque
 from collections.abc import Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, ProcessPoolExecutor, wait
+from contextlib import contextmanager
 from typing import Any
 
 from studies.sweep.job import Job, failed, perform
@@ -31,7 +33,10 @@ def _in_pool(left: deque[Job], workers: int) -> Iterator[tuple[Job, dict[str, An
     A process that dies takes the pool, and all that it was working on, with it: those jobs have no result.
     """
     context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(workers, mp_context=context) as pool:
+    with (
+        ProcessPoolExecutor(workers, mp_context=context, initializer=_leave_ctrl_c) as pool,
+        _ending_with_us(),
+    ):
         working: dict[Future, Job] = {}
         broken = False
         while working or (left and not broken):
@@ -49,3 +54,20 @@ def _in_pool(left: deque[Job], workers: int) -> Iterator[tuple[Job, dict[str, An
                 except BrokenExecutor:
                     broken = True
                     yield job, None
+
+
+def _leave_ctrl_c() -> None:
+    """Ctrl-C reaches all processes of a terminal: the one that has the others ends them."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+@contextmanager
+def _ending_with_us() -> Iterator[None]:
+    """End the processes that were started inside when it is left by an interruption, in place of waiting for them."""
+    before = set(multiprocessing.active_children())
+    try:
+        yield
+    except BaseException:
+        for process in set(multiprocessing.active_children()) - before:
+            process.terminate()
+        raise

@@ -142,7 +142,12 @@ def _errors_table(runs: list[Measurement], quantity: str, reference: Reference, 
 def _plots(runs: list[Measurement], quantity: str, reference: Reference) -> Iterable[Plot]:
     if reference.value is None:
         return
-    works = {"processor time [s]": "seconds", "point updates": "point_updates"}
+    works = {
+        "processor time [s]": "seconds",
+        "point updates": "point_updates",
+        "node updates": "node_updates",
+        "linear solves": "linear_solves",
+    }
     for label, attribute in works.items():
         curves = [
             Curve(
@@ -152,6 +157,7 @@ def _plots(runs: list[Measurement], quantity: str, reference: Reference) -> Iter
                 "fem" if name.startswith("fem") else "mpm",
             )
             for name, group in by_variant(runs).items()
+            if all(getattr(run, attribute) for run in group)
         ]
         yield Plot(f"Error of the {_words(quantity)}", label, "error [%]", tuple(curves), logarithmic=True)
 
@@ -161,15 +167,15 @@ def _runs_table(runs: list[Measurement], quantities: tuple[str, ...]) -> Table:
     rows = [
         (
             f"{run.variant} {run.resolution}", run.points, run.steps, run.point_updates,
-            *((run.linear_solves,) if solved else ()), run.seconds, run.repeats, run.spread, run.compile_s,
-            run.array_bytes / 2**20 or None, round(run.memory_bytes / 2**20),
+            run.node_updates, *((run.linear_solves,) if solved else ()), run.seconds, run.repeats, run.spread,
+            run.compile_s, run.array_bytes / 2**20 or None, round(run.memory_bytes / 2**20),
             *(run.values[name] for name in quantities),
         )
         for run in runs if run.values
     ]  # fmt: skip
     head = (
-        "run", "points", "steps", "point updates", *(("linear solves",) if solved else ()), "s", "repeats",
-        "slowest / fastest", "compile s", "MiB of arrays", "MiB of the process", *quantities,
+        "run", "points", "steps", "point updates", "node updates", *(("linear solves",) if solved else ()), "s",
+        "repeats", "slowest / fastest", "compile s", "MiB of arrays", "MiB of the process", *quantities,
     )  # fmt: skip
     note = "Arrays: what the solver holds; the process keeps, besides, what was compiled and run before."
     return Table("Runs", head, tuple(rows), note)

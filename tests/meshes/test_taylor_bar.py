@@ -142,13 +142,20 @@ def test_senseless_parameters_are_refused_by_name(wrong, name):
 
 
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="needs Linux's account of signals")
-def test_a_broken_pipe_does_not_end_the_process_after_meshing():
-    """gmsh would take back that Python ignores SIGPIPE: output into `head` then kills without a word."""
+@pytest.mark.parametrize("number", [signal.SIGPIPE, signal.SIGTERM, signal.SIGINT])
+def test_signals_are_after_meshing_what_they_were(number):
+    """gmsh would let a closed pipe and SIGTERM end the process without a word, and Python would not know."""
 
-    def ignored():
+    def listed():
         status = Path("/proc/self/status").read_text()
-        return int(status.split("SigIgn:")[1].split()[0], 16) >> (signal.SIGPIPE - 1) & 1
+        return [int(status.split(of)[1].split()[0], 16) >> (number - 1) & 1 for of in ("SigIgn:", "SigCgt:")]
 
-    assert ignored()
-    taylor_bar(1.0, 3.0, 3)
-    assert ignored()
+    before = signal.getsignal(number)
+    for handler in (signal.SIG_IGN, lambda *received: None):
+        signal.signal(number, handler)
+        try:
+            expected = listed()
+            taylor_bar(1.0, 3.0, 3)
+            assert listed() == expected and any(expected)
+        finally:
+            signal.signal(number, before)

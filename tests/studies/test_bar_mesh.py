@@ -58,3 +58,11 @@ def test_a_run_keeps_the_mesh_beside_its_scene(fake_solvers, classic, tmp_path):
     """The run folder's scene.xml can be run again as it is."""
     run(with_mesh(classic, tmp_path), "mpm", out=tmp_path / "out")
     assert read_scene(tmp_path / "out/scene.xml").mesh == tmp_path / "out/bar.msh"
+
+
+@pytest.mark.parametrize("method", ["fem-explicit", "mpm:spatial"])
+def test_a_bar_too_slender_for_any_resolution_is_told_so(classic, method):
+    """No other resolution is proposed where none fits: the cylinder is the cause."""
+    scene = replace(classic, bar=replace(classic.bar, radius=1e-9))
+    with pytest.raises(SceneError, match="too slender, 0.0324 m long with a radius of 1e-09 m.*<cylinder>"):
+        check_run(scene, method, 6)

@@ -9,6 +9,7 @@ import time
 import pytest
 
 from studies.command_line import VERBS, main
+from studies.options import names, whole_numbers
 from studies.scenes.shipped import SCENES_FOLDER
 
 
@@ -49,6 +50,15 @@ except SystemExit:
         (["run", "taylor-clasic"], "taylor-classic"),
         (["run", "taylor-classic", "--wal", "plane"], "--wall"),
         (["run", "taylor-classic", "--method", "mpn"], "mpm"),
+        (
+            ["compare", "taylor-classic", "--methods", ""],
+            "no method given; valid: fem-explicit, mpm, each also",
+        ),
+        (["run", "taylor-classic", "--method", "fem-implicit"], "study necking"),
+        (["study", "stability", "--methods", ""], "no method given; valid: fem-explicit, fem-implicit, mpm"),
+        (["study", "effects", "taylor-classic", "--methods", ","], "no method given"),
+        (["study", "work-precision", "necking-simo", "--methods", ""], "fem-implicit"),
+        (["study", "necking", "--methods", ""], "no method given; valid: "),
         (["run", "taylor-classic", "--wall", "plan"], "plane"),
         (["run", "taylor-classic", "--resolution", "x"], "whole numbers"),
         (["run", "taylor-classic", "--resolution", "0"], "cell"),
@@ -140,12 +150,37 @@ def test_check_lists_each_run_once(capsys):
     assert said(capsys)[0].count("mpm 4") == 1
 
 
-def test_check_remarks_on_a_bar_that_has_melted(capsys, tmp_path):
-    """A body that begins at or above its melting temperature is worth a line."""
+def test_lists_hold_everything_once():
+    """However often a name or number is given, no study makes a run twice."""
+    assert names("mpm, fem-explicit,mpm") == ("mpm", "fem-explicit")
+    assert whole_numbers("8,12,8") == (8, 12)
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "remarks"),
+    [
+        ("", "", []),
+        ("<temperature>294<", "<temperature>1400<", ["the bar begins at 1400 K, at or above its melting"]),
+        ('latest="150e-6"', 'latest="5e-6"', ["ends at 5e-06 s, before an elastic wave"]),
+        (
+            'latest="150e-6"',
+            'latest="1e-12"',
+            ["ends at 1e-12 s, before", "within the first time step, some"],
+        ),
+        (",-208.0,", ",-8000.0,", ["impact at 8000 m/s is faster than elastic waves, 4"]),
+    ],
+)
+def test_check_remarks_on_what_is_odd(before, after, remarks, capsys, tmp_path):
+    """A molten bar, an end before anything happens, an impact above the speed of waves: with their numbers."""
     text = (SCENES_FOLDER / "taylor-copper-jc.xml").read_text()
-    (tmp_path / "hot.xml").write_text(text.replace("<temperature>294<", "<temperature>1400<"))
-    assert main(["check", str(tmp_path / "hot.xml"), "--resolution", "4"]) == 0
-    assert "remark: the bar begins at 1400 K" in said(capsys)[0]
+    assert before in text
+    (tmp_path / "odd.xml").write_text(text.replace(before, after) if before else text)
+    asked = ["check", str(tmp_path / "odd.xml"), "--resolution", "4"]
+    assert main(asked) == 0
+    lines = [line for line in said(capsys)[0].splitlines() if line.startswith("remark: ")]
+    assert main([*asked, "--json"]) == 0
+    assert lines == [f"remark: {each}" for each in json.loads(said(capsys)[0])["remarks"]]
+    assert len(lines) == len(remarks) and all(told in line for told, line in zip(remarks, lines, strict=True))
 
 
 @pytest.mark.parametrize("name", ["IsotropicElastic", "ConstantMelting", "ConstantSpecificHeat"])

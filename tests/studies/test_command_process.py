@@ -1,5 +1,6 @@
 """The command as a process: interruptions, and output that cannot be written."""
 
+import errno
 import logging
 import os
 import signal
@@ -12,6 +13,8 @@ import pytest
 
 from studies.command_line import main
 from studies.output.told_once import ToldOnce
+from studies.process import Terminated, interruptible
+from studies.runs.costs import measured
 
 
 def said(capsys):
@@ -32,13 +35,26 @@ def test_ctrl_c_is_clean(capsys, monkeypatch):
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a device that is always full")
-def test_output_that_cannot_be_written_is_one_line_and_status_2():
-    """A full disk behind standard output is no traceback."""
+@pytest.mark.parametrize("asked", ["scenes", "--help"])
+def test_a_full_disk_behind_the_output_is_one_line_and_status_3(asked):
+    """No traceback, and the status of a full disk anywhere."""
     with open("/dev/full", "w") as full:
-        command = [sys.executable, "-m", "studies", "scenes"]
+        command = [sys.executable, "-m", "studies", asked]
         ended = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
-    assert ended.returncode == 2
+    assert ended.returncode == 3
     assert ended.stderr.startswith("matpoint: ") and ended.stderr.count("\n") == 1
+
+
+def test_output_that_cannot_be_written_for_another_reason_has_status_2(capsys, monkeypatch):
+    """Only a full disk has status 3."""
+
+    def refuse(options):
+        raise OSError(errno.EIO, os.strerror(errno.EIO))
+
+    monkeypatch.setattr("studies.command_line.discard_output", lambda: None)
+    monkeypatch.setattr("studies.commands.scenes.execute", refuse)
+    assert main(["scenes"]) == 2
+    assert said(capsys)[1].count("\n") == 1
 
 
 def test_output_that_cannot_show_a_sign_shows_another():
@@ -97,3 +113,12 @@ def test_an_interruption_that_was_swallowed_still_ends_the_run(monkeypatch, tmp_
     monkeypatch.setattr("studies.observers.contact_watch.ContactWatch.start", swallow)
     assert main(["run", "taylor-classic", "--out", str(tmp_path / "out")]) == 130
     assert not (tmp_path / "out/run.json").exists()
+
+
+def test_an_interruption_that_was_swallowed_ends_a_study_at_its_next_measurement():
+    """Compiling may swallow it, and the run that follows is measured first."""
+    with interruptible():
+        with suppress(Terminated):
+            signal.raise_signal(signal.SIGTERM)
+        with pytest.raises(Terminated), measured():
+            pass

@@ -2,8 +2,10 @@
 
 import json
 import logging
+import multiprocessing
 import os
 import signal
+import time
 
 import pytest
 
@@ -16,6 +18,7 @@ from studies.experiments.shots import read_shots
 from studies.experiments.study import compare_experiments
 from studies.observers.fracture_watch import fracture_text
 from studies.output.output_folder import OutputFolder
+from studies.process import Terminated
 from studies.sweep.job import Job, perform
 from studies.sweep.processes import results_by_processes
 from studies.sweep.sweep import run_sweep
@@ -37,6 +40,12 @@ def go_wrong():
 def die():
     """A job that takes its process with it."""
     os.kill(os.getpid(), signal.SIGKILL)
+
+
+def take_long():
+    """A job that nobody wants to wait for."""
+    time.sleep(60.0)
+    return {}
 
 
 def die_once(folder):
@@ -179,8 +188,20 @@ def test_a_dask_sweep_that_loses_a_worker_gives_the_same(tmp_path):
     assert (tmp_path / "trace").read_text() == traces
 
 
-def test_a_scheduler_that_is_not_there_is_one_line(tmp_path, capsys, monkeypatch):
-    """Without Dask it says what to install, with Dask how to start one."""
+def test_an_interruption_ends_the_processes():
+    """What is running is not waited for: SIGTERM to the command alone would take as long as its longest run."""
+    before = set(multiprocessing.active_children())
+    results = results_by_processes([Job("a", double, (1,)), Job("b", take_long)], 2)
+    assert next(results)["value"] == 2
+    began = time.monotonic()
+    with pytest.raises(Terminated):
+        results.throw(Terminated())
+    assert time.monotonic() - began < 30.0
+    assert set(multiprocessing.active_children()) <= before
+
+
+def test_a_scheduler_that_is_not_there_is_one_line(tmp_path, capsys, monkeypatch, caplog):
+    """Without Dask it says what to install, with Dask how to start one; that it waits is told beforehand."""
     with OutputFolder(tmp_path / "out") as folder, monkeypatch.context() as patch:
         patch.setattr("studies.sweep.sweep.is_installed", lambda: False)
         with pytest.raises(UnsupportedError, match="matpoint.sweep"):
@@ -189,6 +210,13 @@ def test_a_scheduler_that_is_not_there_is_one_line(tmp_path, capsys, monkeypatch
     monkeypatch.setattr("studies.sweep.dask_cluster.CONNECT_TIMEOUT", 0.5)
     with OutputFolder(tmp_path / "out") as folder, pytest.raises(SceneError, match="dask scheduler"):
         run_sweep([Job("a", double, (1,))], folder, scheduler="tcp://127.0.0.1:9")
+    assert "waiting up to 0.5 s" in caplog.messages[0]
+
+
+def test_a_scheduler_has_workers_of_its_own(capsys):
+    """How many processes of this machine says nothing about those of a cluster."""
+    assert main(["study", "experiments", "--scheduler", "tcp://127.0.0.1:9", "--workers", "3"]) == 2
+    assert "not allowed with" in capsys.readouterr().err
 
 
 def test_a_scheduler_that_cannot_be_used_leaves_no_folder(tmp_path, capsys):

@@ -81,6 +81,7 @@ def test_a_run_that_goes_on_elsewhere_is_refused(stopped):
         command = [sys.executable, "-m", "studies", "run", "--resume", str(stopped)]
         ended = subprocess.run(command, capture_output=True, text=True, check=False)
         assert ended.returncode == 2 and "another run is writing to it" in ended.stderr
+        assert "wait for it" in ended.stderr and "--out" not in ended.stderr
     assert (stopped / FILE).read_bytes() == before
     assert resume(stopped).status == "complete"
 
@@ -105,7 +106,7 @@ def test_a_full_disk_leaves_a_checkpoint_to_go_on_from(classic, tmp_path, monkey
 
 
 def test_a_disk_that_is_full_from_the_start_leaves_nothing_to_go_on_from(classic, tmp_path, monkeypatch):
-    """Without a checkpoint the message repeats what went wrong and says to start anew."""
+    """Without a checkpoint the message says what went wrong, without its remedy, and to start anew."""
 
     def full(file, **arrays):
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
@@ -113,7 +114,13 @@ def test_a_disk_that_is_full_from_the_start_leaves_nothing_to_go_on_from(classic
     monkeypatch.setattr("numpy.savez", full)
     with pytest.raises(DiskFull):
         run(classic, "fem-explicit", 4, wall="plane", out=tmp_path / "out", interval=SOON)
-    with pytest.raises(OutputError, match="before its first checkpoint .*free space.*start it anew"):
+    with pytest.raises(
+        OutputError, match="before its first checkpoint: .*No space left.*start it anew"
+    ) as told:
+        resume(tmp_path / "out")
+    assert "free space" not in str(told.value)
+    (tmp_path / "out/run.json").write_text("{")
+    with pytest.raises(OutputError, match=r"run\.json: cannot be read .*start it anew"):
         resume(tmp_path / "out")
 
 
@@ -123,9 +130,11 @@ def test_what_cannot_be_resumed_is_refused_by_what_it_is(stopped, tmp_path, monk
         with pytest.raises(OutputError, match=told):
             resume(folder)
     whole = (stopped / FILE).read_bytes()
-    (stopped / FILE).write_bytes(whole[: len(whole) // 2])
-    with pytest.raises(OutputError, match="damaged"):
-        resume(stopped)
+    for damaged in (whole[: len(whole) // 2], b"", b"no archive of numbers"):
+        (stopped / FILE).write_bytes(damaged)
+        with pytest.raises(OutputError, match="damaged") as told:
+            resume(stopped)
+        assert "allow_pickle" not in str(told.value)
     (stopped / FILE).write_bytes(whole)
     with monkeypatch.context() as patch:
         patch.setattr("studies.checkpointing.checkpoint_file.source_hash", lambda: "other")

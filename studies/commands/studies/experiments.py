@@ -26,10 +26,13 @@ WRONG = 3
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Options of `matpoint study experiments`."""
     parser.add_argument("--quick", action="store_true", help="coarser runs, one card for each metal")
-    parser.add_argument(
-        "--scheduler", metavar="ADDRESS", help="a running Dask scheduler, like tcp://host:8786"
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="a running Dask scheduler, like tcp://host:8786, whose workers are its own",
     )
-    parser.add_argument(
+    where.add_argument(
         "--workers", metavar="N", type=positive, help="processes on this machine (default: one a processor)"
     )
     add_json_option(parser)
