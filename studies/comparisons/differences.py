@@ -9,6 +9,7 @@ from studies.output.display import plus_minus, shown_title, shown_unit, with_uni
 from studies.runs.result import RunResult
 
 TELLING = 0.1  # an uncertainty beyond this share of the value is no basis for a verdict
+CLOSE = 0.01  # uncertainty by the value, above which to agree within it says little
 
 
 @dataclass(frozen=True)
@@ -16,7 +17,8 @@ class Difference:
     """Second minus first, of the finest runs and of the limits; relative to the first.
 
     uncertainty: of the difference of the limits; agree: whether that difference lies within it (None: no
-    verdict is possible); verdict: the same as a sentence.
+    verdict is possible); loosely: whether they agree within an uncertainty of more than CLOSE of the
+    value; verdict: the same as a sentence.
     """
 
     quantity: str
@@ -29,6 +31,7 @@ class Difference:
     limit_relative: float | None
     uncertainty: float | None
     agree: bool | None
+    loosely: bool
     verdict: str
 
 
@@ -53,6 +56,7 @@ def difference(
         limit_relative=_relative(gap, estimates[0].value),
         uncertainty=uncertainty,
         agree=agree,
+        loosely=_is_loose(agree, uncertainty, estimates[0].value),
         verdict=verdict_text(
             name, unit, tuple(find_method(run.method).label for run in (first, second)), estimates
         ),
@@ -71,6 +75,10 @@ def _agreement(gap: float, uncertainty: float | None, value: float) -> bool | No
     return abs(gap) <= uncertainty
 
 
+def _is_loose(agree: bool | None, uncertainty: float | None, value: float) -> bool:
+    return agree is True and uncertainty > CLOSE * abs(value)
+
+
 def _relative(gap: float, base: float) -> float | None:
     return gap / abs(base) if base else None
 
@@ -87,13 +95,26 @@ def verdict_text(name: str, unit: str, labels: tuple[str, str], estimates: tuple
     if relative is not None:
         by += f", {100.0 * relative:.2g} %"
     subject = f"{shown_title(name)}: {told[0]} and {told[1]}"
+    agreement = f"{subject} agree within their uncertainty (apart by {by})"
     if uncertainty is None:
         return f"{subject} differ by {by}; one resolution does not tell their errors."
     if agree is None:
         return f"{subject} are apart by {by}; not converged well enough for a verdict."
+    if _is_loose(agree, uncertainty, first.value):
+        only = "only because " * (abs(gap) > CLOSE * abs(first.value))
+        agreement += f", but {only}{_doubts(labels, estimates)}"
     if agree:
-        return f"{subject} agree within their uncertainty (apart by {by})."
+        return f"{agreement}."
     return f"{subject} differ by {by}, more than their uncertainty ({with_unit(uncertainty, unit, 2)})."
+
+
+def _doubts(labels: tuple[str, str], estimates: tuple[Estimate, Estimate]) -> str:
+    """Which of them is uncertain by more than is close, or both, and by how much."""
+    shares = {
+        label: each.uncertainty / abs(each.value) for label, each in zip(labels, estimates, strict=True)
+    }
+    wide = {label: share for label, share in shares.items() if share > CLOSE} or shares
+    return " and ".join(f"{label} is uncertain by {100.0 * share:.2g} %" for label, share in wide.items())
 
 
 def _told(label: str, estimate: Estimate, unit: str) -> str:

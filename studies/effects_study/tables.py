@@ -7,7 +7,7 @@ from studies.effects_study.off import OffCost
 from studies.effects_study.switched import AS_IT_IS, Switched
 from studies.output.display import number, shown_title
 from studies.report.parts import Table
-from studies.report.study_page import NEUTRAL, Report, Section, Verdict
+from studies.report.study_page import TOLD, Report, Section, Verdict
 from studies.scenes.scene import Scene
 from studies.work_precision.measurement import Measurement
 
@@ -68,7 +68,7 @@ def _in_short(runs: list[Switched]) -> Iterable[Verdict]:
         parts = [_part(each, base[each.method]) for each in group]
         largest = max(abs(change) for change, _ in parts)
         told.append((largest, f"{shown_title(f'{effect} {to}')}: {'; '.join(text for _, text in parts)}."))
-    return (Verdict(NEUTRAL, text) for _, text in sorted(told, reverse=True))
+    return (Verdict(TOLD, text) for _, text in sorted(told, reverse=True))
 
 
 def _part(each: Switched, base: Measurement) -> tuple[float, str]:
@@ -104,12 +104,15 @@ def change_table(runs: list[Switched]) -> Table:
         "run", "s", "times as long", "times the steps", "MiB of arrays",
         *(f"{name.replace('_', ' ')} [%]" for name in names),
     )  # fmt: skip
-    spread = max((each.run.spread for each in runs if each.run.values), default=1.0)
-    note = (
-        "Processor seconds of the steps, median of repeats, which differ by up to "
-        f"{100.0 * (spread - 1.0):.0f} %; memory is what the solver's arrays hold."
-    )
+    note = f"Processor seconds of the steps, {_repeats_text(runs)}; memory is what the solver's arrays hold."
     return Table("Changes against the scene as it is", head, tuple(rows), note)
+
+
+def _repeats_text(runs: list[Switched]) -> str:
+    if all(each.run.repeats == 1 for each in runs):
+        return "one run each"
+    spread = max((each.run.spread for each in runs if each.run.values), default=1.0)
+    return f"median of repeats, which differ by up to {100.0 * (spread - 1.0):.0f} %"
 
 
 def _off_table(offs: list[OffCost]) -> Table:

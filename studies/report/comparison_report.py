@@ -19,7 +19,7 @@ from studies.report.field_pictures import field_pictures
 from studies.report.history_plots import energy_plots, history_plots
 from studies.report.over_time import OverTime, over_time
 from studies.report.profile_plots import profile_plots
-from studies.report.study_page import AGREE, APART, NEUTRAL, Report, Section, Verdict
+from studies.report.study_page import AGREE, APART, NEUTRAL, TOLD, Report, Section, Verdict
 
 LEDGER = (
     "Energies in J; each dissipative term is integrated from its own power, none is the remainder. "
@@ -115,13 +115,13 @@ def _accounts(comparison: Comparison) -> tuple[Section, ...]:
 def _verdicts(comparison: Comparison) -> list[Verdict]:
     kinds = {True: AGREE, False: APART, None: NEUTRAL}
     told = [
-        Verdict(kinds[each.agree], each.verdict)
+        Verdict(NEUTRAL if each.loosely else kinds[each.agree], each.verdict)
         for each in comparison.differences
         if each.quantity in LEADING
     ]
     return told + [
         Verdict(
-            NEUTRAL,
+            TOLD,
             f"Profiles: {gap.first} and {gap.second} lie {gap.rms * 1e3:.3g} mm apart (root mean square), "
             f"{100.0 * gap.relative:.2g} % of L₀.",
         )

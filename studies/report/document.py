@@ -76,21 +76,21 @@ def _section(each: Section, places: dict[str, str]) -> str:
         _table(content, places, each.title, [names[k]] if paired else [])
         for k, content in enumerate(shown_tables)
     ]
+    figures = [
+        *(plot_svg(plot, each.name) for plot in each.plots if plot.curves),
+        *(picture_svg(picture, each.name) for picture in each.pictures),
+        *each.figures,
+    ]
+    verdicts = _verdicts(each.verdicts)
+    if each.at_a_glance:
+        shown_parts = [panels(figures, each.caption, "".join(tables)), verdicts]
+    else:
+        shown_parts = [verdicts, each.controls, panels(figures, each.caption), *tables]
     return section(
         each.title,
         f'<p class="lead">{escape(each.lead)}</p>' if each.lead else "",
         *(note(remark) for remark in each.remarks),
-        _verdicts(each.verdicts),
-        each.controls,
-        panels(
-            [
-                *(plot_svg(plot, each.name) for plot in each.plots if plot.curves),
-                *(picture_svg(picture, each.name) for picture in each.pictures),
-                *each.figures,
-            ],
-            each.caption,
-        ),
-        *tables,
+        *shown_parts,
         "" if paired else "".join(_download(*file) for file in names),
         place=each.name,
     )

@@ -5,6 +5,7 @@ from itertools import cycle
 import numpy as np
 
 from studies.report.drawing import INK, METHOD_COLOURS, as_svg, drawing
+from studies.report.log_ticks import set_log_ticks
 from studies.report.parts import EXACT, FEM, MPM, Curve, Picture, Plot
 
 COLOURS = {FEM: METHOD_COLOURS["fem-explicit"], MPM: METHOD_COLOURS["mpm"], EXACT: INK}
@@ -12,7 +13,7 @@ MARKERS = ("o", "s", "^", "D", "v", "P", "X", "<", ">", "*", "h", "p")
 LINES = ("-", (0, (5, 1.5)), (0, (1.5, 1.2)), (0, (5, 1.2, 1.2, 1.2)))
 MANY = 15  # values of a curve above which they are not marked one by one
 SIZE = 4.6, 3.6  # inches
-MOST_LETTERS = 220  # of all labels, beyond which the legend stands below the axes
+MOST_LETTERS = 90  # of all labels, beyond which the legend stands below the axes
 LEGEND_ROW = 0.17  # inches
 PANEL, TALLEST = 3.0, 4.0  # inches, of one body in a picture: width, and height of an upright one
 
@@ -28,6 +29,8 @@ def plot_svg(plot: Plot, problem: str) -> str:
             ax.plot(curve.x, curve.y, **_style(curve, markers, lines, plot.scattered))
         if plot.logarithmic:
             ax.set(xscale="log", yscale="log")
+            set_log_ticks(ax.xaxis)
+            set_log_ticks(ax.yaxis)
         ax.set(title=plot.title, xlabel=plot.x_label, ylabel=plot.y_label)
         if beside:
             figure.legend(fontsize=7.5, loc="outside lower left")

@@ -5,10 +5,10 @@ import io
 from collections.abc import Iterable
 
 from studies.report.parts import Table
-from studies.report.study_page import AGREE, APART, Report, Section
+from studies.report.study_page import AGREE, APART, NEUTRAL, Report, Section
 from studies.report.study_text import shown
 
-MARKS = {AGREE: "✓ ", APART: "≠ "}
+MARKS = {AGREE: "✓ ", APART: "≠ ", NEUTRAL: "– "}
 
 
 def markdown(report: Report) -> str:
@@ -29,12 +29,20 @@ def _section(each: Section) -> Iterable[str]:
     for sentence in (each.lead, *each.remarks):
         if sentence:
             yield from (sentence, "")
+    yield from (*_tables(each), *_verdicts(each)) if each.at_a_glance else (*_verdicts(each), *_tables(each))
+
+
+def _verdicts(each: Section) -> Iterable[str]:
     if each.verdicts:
         yield from (f"* {MARKS.get(verdict.kind, '')}{verdict.text}" for verdict in each.verdicts)
         yield ""
+
+
+def _tables(each: Section) -> Iterable[str]:
     for content in each.tables:
         if content.rows:
-            yield from (f"### {content.title}", "", *_rows(content), "")
+            yield from (f"### {content.title}", "") if content.title != each.title else ()
+            yield from (*_rows(content), "")
             yield from (content.note, "") if content.note else ()
 
 

@@ -9,6 +9,9 @@ FAMILIES = re.compile(r"(fem|mpm)\b", re.IGNORECASE)
 UNIT = re.compile(r" \[([^\]]+)\]")
 MARKS = {"on": "on", "stable": "on", "yes": "on", "off": "off", "FAILED": "bad", "failed": "bad", "✓": "on"}
 """Cells that are a verdict, and their classes in the style."""
+TOGETHER = re.compile(r"(?<=\d) (?=(?:%|±|(?:s|µs|mm|K|kN|MPa|min)\b))|(?<=[±≤~]) | (?=\*$)")
+FIXED = "\u00a0"  # a space at which no line ends
+STAR, BEST = "*", "best"  # end of a cell that is the best of its kind, and its class
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]], places: Mapping[str, str] | None = None) -> str:
@@ -30,34 +33,47 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]], places: Mapping[st
 
 def _cell(index: int, text: str, wordy: bool, places: Mapping[str, str]) -> str:
     if index > 0:
-        return f"<td{_class(wordy, _mark(text))}>{escape(text)}</td>"
-    content = f'<a href="#{places[text]}">{escape(text)}</a>' if text in places else _with_unit(text)
+        return f"<td{_class(wordy, _mark(text))}>{_whole(text)}</td>"
+    content = f'<a href="#{places[text]}">{_whole(text)}</a>' if text in places else _with_unit(text)
     return f'<th scope="row"{_class(wordy, text)}>{content}</th>'
 
 
 def _mark(text: str) -> str:
+    if text.endswith(STAR):
+        return BEST
     return "bad" if text.endswith(" not met") else MARKS.get(text, "")
 
 
 def _class(wordy: bool, text: str) -> str:
     family = FAMILIES.match(text)
-    names = ["words"] * wordy + ([family[1].lower()] if family else []) + [text] * (text in MARKS.values())
+    names = (
+        ["words"] * wordy
+        + ([family[1].lower()] if family else [])
+        + [text] * (text in (*MARKS.values(), BEST))
+    )
     return f' class="{" ".join(names)}"' if names else ""
 
 
+def _whole(text: str) -> str:
+    """Escaped; numbers stay with their units, uncertainties and marks on one line."""
+    return TOGETHER.sub(FIXED, escape(text))
+
+
 def _with_unit(text: str) -> str:
-    return UNIT.sub(r' <span class="unit">\1</span>', escape(text))
+    return UNIT.sub(r' <span class="unit">\1</span>', _whole(text))
 
 
-def panels(pictures: Iterable[str], caption: str) -> str:
-    """Figures side by side where there is room, with one caption."""
-    inner = "".join(f"<figure>{picture}</figure>" for picture in pictures)
+def panels(pictures: Iterable[str], caption: str, first: str = "") -> str:
+    """Figures side by side where there is room, with one caption; first : what stands before them."""
+    inner = f"<div>{first}</div>" * bool(first) + "".join(
+        f"<figure>{picture}</figure>" for picture in pictures
+    )
     return f'<div class="pair">{inner}</div>{note(caption) if caption else ""}' if inner else ""
 
 
 def note(text: str) -> str:
     """A remark in small print."""
-    return f'<p class="note">{escape(text)}</p>'
+    return f'<p class="note">{_whole(text)}</p>'
 
 
 def section(title: str, *content: str, place: str = "") -> str:
@@ -71,6 +87,6 @@ def items(kind: str, entries: Iterable[tuple[str, str]]) -> str:
     """A list of (class, text)."""
     return (
         f'<ul class="{kind}">'
-        + "".join(f'<li class="{c}">{escape(text)}</li>' for c, text in entries)
+        + "".join(f'<li class="{c}">{_whole(text)}</li>' for c, text in entries)
         + "</ul>"
     )

@@ -6,12 +6,15 @@ from core_models.errors import UnsupportedError
 from studies.output.output_folder import OutputFolder
 from studies.report.parts import Picture, Plot, Table
 
-AGREE, APART, NEUTRAL = "agree", "apart", ""
+AGREE, APART, NEUTRAL, TOLD = "agree", "apart", "", "told"
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """A sentence that says what came out; kind : AGREE, APART or NEUTRAL, which gives its mark."""
+    """A sentence that says what came out.
+
+    kind : AGREE, APART, NEUTRAL where it cannot be said, TOLD where nothing is judged; it gives the mark.
+    """
 
     kind: str
     text: str
@@ -23,7 +26,8 @@ class Section:
 
     name : of its CSV files and its place on the page. lead : what it is about. plots : curves. pictures : fields on
     bodies. figures : ready pieces of HTML, shown after both. controls : HTML above them. caption : below them. data :
-    tables for the CSV files, with all digits and in SI units; without them those that are shown.
+    tables for the CSV files, with all digits and in SI units; without them those that are shown. at_a_glance : tables
+    and figures stand side by side above the verdicts.
     """
 
     name: str
@@ -38,6 +42,7 @@ class Section:
     caption: str = ""
     data: tuple[Table, ...] = ()
     pictures: tuple[Picture, ...] = ()
+    at_a_glance: bool = False
 
     @property
     def has_content(self) -> bool:

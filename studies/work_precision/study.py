@@ -21,6 +21,7 @@ from studies.work_precision.tables import report_of
 
 PROBLEMS = {"vibrating-bar": vibration.PROBLEM, "vortex": vortex.PROBLEM, "necking-simo": necking.PROBLEM}
 FEWEST = 5
+LIKE = "like 4,6,8,12,16"
 REPEATS = 3
 
 
@@ -51,19 +52,31 @@ def find_problem(name: str, wall: str | None = None) -> WorkProblem:
 def planned(
     problem: WorkProblem, variants: tuple[str, ...] | None, resolutions: tuple[int, ...] | None
 ) -> list[tuple[str, int]]:
-    """Every variant at every resolution, coarse to fine; SceneError for fewer than five resolutions, or one of 0."""
-    if resolutions is not None and min(resolutions) < 1:
-        raise SceneError("a resolution of 0 has no cells: give 1 or more, like 4,6,8,12,16")
-    if resolutions is not None and len(set(resolutions)) < FEWEST:
-        raise SceneError(
-            f"{len(set(resolutions))} resolutions show no order: give {FEWEST} or more, like 4,6,8,12,16"
-        )
+    """Every variant once at every resolution, coarse to fine.
+
+    Raises SceneError for fewer than five resolutions, one of 0, or one that is given more than once.
+    """
+    if resolutions is not None:
+        _check(resolutions)
     chosen = variants or problem.variants
     return [
         (variant, resolution)
         for variant in dict.fromkeys(chosen)
-        for resolution in sorted(set(resolutions or _resolutions(problem, variant)))
+        for resolution in sorted(resolutions or _resolutions(problem, variant))
     ]
+
+
+def _check(resolutions: tuple[int, ...]) -> None:
+    twice = next((each for each in resolutions if resolutions.count(each) > 1), None)
+    if min(resolutions) < 1:
+        raise SceneError(f"a resolution of 0 has no cells: give 1 or more, {LIKE}")
+    if twice is not None:
+        raise SceneError(
+            f"resolution {twice} is given more than once: give {FEWEST} or more different ones, {LIKE}"
+        )
+    if len(resolutions) < FEWEST:
+        few = f"{len(resolutions)} resolutions show" if len(resolutions) > 1 else "1 resolution shows"
+        raise SceneError(f"{few} no order: give {FEWEST} or more, {LIKE}")
 
 
 def _resolutions(problem: WorkProblem, variant: str) -> tuple[int, ...]:

@@ -1,13 +1,15 @@
 """The report of a work-precision study: time to reach given errors first, then everything behind it."""
 
 from collections.abc import Iterable
+from itertools import islice
 
-from studies.output.display import number, plus_minus, shown, shown_unit
+from studies.output.display import plus_minus, shown, shown_unit
 from studies.report.parts import Curve, Plot, Table
 from studies.report.study_page import Report, Section
 from studies.work_precision.analysis import (
     EXTRAPOLATED,
     LEVELS,
+    MEASURED,
     RESOLVABLE,
     Reach,
     by_variant,
@@ -17,7 +19,8 @@ from studies.work_precision.analysis import (
     reach,
     relative_error,
 )
-from studies.work_precision.choice import MARKS, choice_section
+from studies.work_precision.choice import time_text
+from studies.work_precision.choice_section import choice_section
 from studies.work_precision.measurement import Measurement
 from studies.work_precision.problem import Reference, WorkProblem
 from studies.work_precision.verdict import verdict_section
@@ -45,11 +48,13 @@ def report_of(problem: WorkProblem, measured: list[Measurement], repeats: int) -
     spent = sum(run.seconds * run.repeats for run in measured)
     facts = (
         f"{len(runs)} runs",
-        f"median of {repeats}",
-        f"{spent / 60.0:.2g} min of processor time",
+        f"median of {repeats}" if repeats > 1 else "one run each",
+        f"{f'{spent / 60.0:.2g} min' if spent >= 60.0 else f'{spent:.2g} s'} of processor time",
         f"{len(failures)} without an answer",
     )
-    sections = [choice_section(runs, references)] + [
+    quantity, reference = next(iter(references.items()))
+    against_time = tuple(islice(_plots(runs, quantity, reference), 1))
+    sections = [choice_section(runs, references, against_time)] + [
         Section(
             f"reach-{name}",
             f"Time to reach an error of the {_words(name)}",
@@ -76,21 +81,19 @@ def report_of(problem: WorkProblem, measured: list[Measurement], repeats: int) -
 
 
 def reach_table(runs: list[Measurement], quantity: str, reference: Reference, unit: str = "1") -> Table:
-    """Seconds to reach each level by variant, and its observed order; the fastest known one of a level is starred."""
+    """Seconds to reach each level by variant, and its observed order; the fastest known one of a level is starred.
+
+    Of several upper bounds none is known to be the fastest.
+    """
     groups = by_variant(runs)
     found = {
         name: [reach(group, quantity, reference, level) for level in LEVELS] for name, group in groups.items()
     }
-    known = [
-        [time for time in times if time.how != EXTRAPOLATED] for times in zip(*found.values(), strict=True)
-    ]
-    fastest = [
-        min((time.seconds for time in times if time.seconds is not None), default=None) for times in known
-    ]
+    fastest = [_fastest(times) for times in zip(*found.values(), strict=True)]
     rows = [
         (
             name,
-            *(_reach_text(time, fastest[k]) for k, time in enumerate(times)),
+            *(_reach_text(time, time is fastest[k]) for k, time in enumerate(times)),
             observed_order(groups[name], quantity, reference),
         )
         for name, times in found.items()
@@ -99,17 +102,20 @@ def reach_table(runs: list[Measurement], quantity: str, reference: Reference, un
     note = (
         f"Reference: {_reference_text(reference, unit)}. Interpolated between runs; ≤: the coarsest run has it; "
         f"~: extrapolated; not resolvable: below {RESOLVABLE:g} times the reference's uncertainty; "
-        "*: the fastest that is not extrapolated; order: of the error, observed."
+        "*: the fastest that is not extrapolated, of several ≤ none; order: of the error, observed."
     )
     return Table("Processor seconds", head, tuple(rows), note)
 
 
-def _reach_text(time: Reach, fastest: float | None) -> str:
-    if time.seconds is None:
-        return time.how
-    mark = MARKS.get(time.how, "")
-    star = " *" if time.how != EXTRAPOLATED and time.seconds == fastest else ""
-    return f"{mark}{number(time.seconds, 2)}{star}"
+def _fastest(times: Iterable[Reach]) -> Reach | None:
+    known = [time for time in times if time.seconds is not None and time.how != EXTRAPOLATED]
+    best = min(known, key=lambda time: time.seconds, default=None)
+    bounds = sum(time.how == MEASURED for time in known)
+    return None if best is None or (best.how == MEASURED and bounds > 1) else best
+
+
+def _reach_text(time: Reach, is_fastest: bool) -> str:
+    return time.how if time.seconds is None else time_text(time) + " *" * is_fastest
 
 
 def _reference_text(reference: Reference, unit: str) -> str:
@@ -136,7 +142,12 @@ def _errors_table(runs: list[Measurement], quantity: str, reference: Reference, 
 def _plots(runs: list[Measurement], quantity: str, reference: Reference) -> Iterable[Plot]:
     if reference.value is None:
         return
-    works = {"processor time [s]": "seconds", "point updates": "point_updates"}
+    works = {
+        "processor time [s]": "seconds",
+        "point updates": "point_updates",
+        "node updates": "node_updates",
+        "linear solves": "linear_solves",
+    }
     for label, attribute in works.items():
         curves = [
             Curve(
@@ -146,6 +157,7 @@ def _plots(runs: list[Measurement], quantity: str, reference: Reference) -> Iter
                 "fem" if name.startswith("fem") else "mpm",
             )
             for name, group in by_variant(runs).items()
+            if all(getattr(run, attribute) for run in group)
         ]
         yield Plot(f"Error of the {_words(quantity)}", label, "error [%]", tuple(curves), logarithmic=True)
 
@@ -155,15 +167,15 @@ def _runs_table(runs: list[Measurement], quantities: tuple[str, ...]) -> Table:
     rows = [
         (
             f"{run.variant} {run.resolution}", run.points, run.steps, run.point_updates,
-            *((run.linear_solves,) if solved else ()), run.seconds, run.repeats, run.spread, run.compile_s,
-            run.array_bytes / 2**20 or None, round(run.memory_bytes / 2**20),
+            run.node_updates, *((run.linear_solves,) if solved else ()), run.seconds, run.repeats, run.spread,
+            run.compile_s, run.array_bytes / 2**20 or None, round(run.memory_bytes / 2**20),
             *(run.values[name] for name in quantities),
         )
         for run in runs if run.values
     ]  # fmt: skip
     head = (
-        "run", "points", "steps", "point updates", *(("linear solves",) if solved else ()), "s", "repeats",
-        "slowest / fastest", "compile s", "MiB of arrays", "MiB of the process", *quantities,
+        "run", "points", "steps", "point updates", "node updates", *(("linear solves",) if solved else ()), "s",
+        "repeats", "slowest / fastest", "compile s", "MiB of arrays", "MiB of the process", *quantities,
     )  # fmt: skip
     note = "Arrays: what the solver holds; the process keeps, besides, what was compiled and run before."
     return Table("Runs", head, tuple(rows), note)

@@ -4,6 +4,7 @@ import itertools
 import json
 import re
 import shutil
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,6 +13,10 @@ from core_models.errors import OutputError
 from studies.bar.quantity_names import QUANTITIES
 from studies.checkpointing.interval import Interval
 from studies.comparisons.comparing import compare
+from studies.comparisons.convergence import Estimate
+from studies.comparisons.differences import difference
+from studies.report.comparison_report import report_of
+from studies.report.markdown import markdown
 
 
 @pytest.fixture
@@ -39,6 +44,31 @@ def test_methods_that_close_on_one_limit_agree(results):
     assert verdicts["final_length"].agree
     assert "agree within their uncertainty" in verdicts["final_length"].verdict
     assert abs(verdicts["final_length"].finest) > abs(verdicts["final_length"].limit)
+
+
+def test_values_apart_that_agree_by_their_uncertainty_alone_are_called_so(fake_solvers, classic):
+    """3.9 % apart within 4.1 %: no tick, but the one that is uncertain named; the profiles' distance has no mark."""
+    comparison = compare(classic, resolutions=(8, 12, 16), wall="plane")
+    first, second = comparison.finest
+    limits = {
+        first.method: {"foot_radius": Estimate(14.46e-3, 0.08e-3, 1.0, 0.0, "made")},
+        second.method: {"foot_radius": Estimate(15.02e-3, 0.62e-3, 1.0, 0.0, "made")},
+    }
+    found = difference("foot_radius", first, second, limits)
+    assert found.agree and found.loosely
+    assert (
+        "agree within their uncertainty (apart by 0.560 mm, 3.9 %), but only because MPM is uncertain by 4.1 %."
+        in found.verdict
+    )
+    closer = replace(limits[second.method]["foot_radius"], value=14.5e-3)
+    near = difference("foot_radius", first, second, limits | {second.method: {"foot_radius": closer}})
+    assert near.loosely and near.verdict.endswith(", 0.28 %), but MPM is uncertain by 4.3 %.")
+    sure = Estimate(14.46e-3, 0.05e-3, 1.0, 0.0, "made")
+    alike = difference("foot_radius", first, second, dict.fromkeys(limits, {"foot_radius": sure}))
+    assert alike.agree and not alike.loosely and alike.verdict.endswith("(apart by 0 mm, 0 %).")
+    comparison.differences = [found]
+    text = markdown(report_of(comparison, moving=False))
+    assert f"* – {found.verdict}" in text and "\n* Profiles: " in text
 
 
 def test_references_are_held_against_their_wall_only(results, fake_solvers, classic):

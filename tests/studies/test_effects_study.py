@@ -196,7 +196,7 @@ def test_a_wrong_decision_is_said_to_be_wrong(copper):
 
 
 def test_the_study_leaves_tables_and_goes_on_after_a_refusal(copper, tmp_path, monkeypatch):
-    """Costs relative to the scene as it is; what is refused is listed."""
+    """Costs relative to the scene as it is, of one run each; what is refused is listed."""
 
     def measure(scene, variant, resolution, wall, repeats):
         if scene.conduction:
@@ -211,6 +211,7 @@ def test_the_study_leaves_tables_and_goes_on_after_a_refusal(copper, tmp_path, m
     outcome = compare_effects(copper, tmp_path / "out", methods=("mpm",), resolution=4)
     assert len(outcome.runs) == 2 + len(SWITCHES)
     assert "mpm: damage off,2.0,1.0" in (tmp_path / "out/changes.csv").read_text()
+    assert "Processor seconds of the steps, one run each;" in (tmp_path / "out/report.md").read_text()
     assert "no conduction here" in (tmp_path / "out/failures.csv").read_text()
     assert "mpm,1.0,0.9," in (tmp_path / "out/off.csv").read_text()
     assert json.loads((tmp_path / "out/results.json").read_text())["study"] == "effects"

@@ -2,12 +2,16 @@
 
 import re
 from importlib.util import find_spec
+from itertools import pairwise
 
 import pytest
 
 from studies.comparisons.comparing import compare
 from studies.output.display import plus_minus
 from studies.report.document import page
+from studies.report.drawing import drawing
+from studies.report.figures import SIZE
+from studies.report.log_ticks import set_log_ticks
 from studies.report.over_time import rendered
 from studies.report.parts import Curve, Plot, Table
 from studies.report.study_page import AGREE, APART, Report, Section, Verdict
@@ -78,7 +82,9 @@ def test_the_page_of_a_comparison_is_whole_and_fits_a_phone(fake_solvers, classi
     for name in ("final_length", "foot_radius"):
         for limits in comparison.limits.values():
             limit = limits[name]
-            assert plus_minus(limit.value, limit.uncertainty, "m") in seen["found"]["text"]
+            assert plus_minus(limit.value, limit.uncertainty, "m") in seen["found"]["text"].replace(
+                "\u00a0", " "
+            )
     assert len(text) < 5e6
 
 
@@ -90,6 +96,24 @@ def test_values_of_curves_show_under_the_pointer(count, log, told, tmp_path):
     assert seen["errors"] == [] and seen["log"] == []
     assert seen["found"]["pointed"] == told and seen["found"]["left"] == ""
     assert seen["found"]["typed"] == "x 0x² 0"
+
+
+@pytest.mark.parametrize(
+    ("low", "high"),
+    [(0.22, 0.61), (1.1, 1.9), (0.99, 1.01), (2e6, 5.5e6), (3e-5, 9e-5), (4e3, 9e4), (0.03, 80.0)],
+)
+def test_numbers_at_a_logarithmic_axis_stand_apart(low, high):
+    """From two to six of them, none over another, whether the axis spans a hundredth of a decade or three."""
+    with drawing(*SIZE) as (figure, ax):
+        ax.loglog([low, high], [low, high])
+        set_log_ticks(ax.xaxis)
+        figure.draw_without_rendering()
+        shown = [each for each in ax.get_xticklabels(which="both") if each.get_text()]
+        seen = ax.get_xlim()
+        shown = [each for each in shown if seen[0] <= each.get_position()[0] <= seen[1]]
+        spans = sorted((box.x0, box.x1) for box in (each.get_window_extent() for each in shown))
+    assert 2 <= len(shown) <= 6
+    assert all(left[1] < right[0] for left, right in pairwise(spans))
 
 
 def test_what_a_report_says_is_on_its_page_without_scripts():
