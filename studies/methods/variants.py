@@ -57,7 +57,7 @@ def read_variant(name: str, known: dict[str, dict[str, tuple[str, ...]]] = WORDS
     solver, colon, words = name.partition(":")
     if solver not in known:
         raise SceneError(
-            f"{_unknown(solver)}; {suggestion(solver, known)}, each also with words as in {EXAMPLE}"
+            f"{_unknown(solver)}; {suggestion(solver, known)}, each also with words after a colon like {EXAMPLE}"
         )
     option_of = {word: option for option, values in known[solver].items() for word in values}
     if "hex8" in option_of:
