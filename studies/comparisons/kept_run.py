@@ -1,7 +1,6 @@
 """A complete run kept in its folder, so that a comparison which was stopped can go on without making it again."""
 
 import json
-import zipfile
 from dataclasses import asdict
 from pathlib import Path
 
@@ -9,9 +8,9 @@ import numpy as np
 
 from core_models.atomic import replacing
 from core_models.checkpoint import part_of, under
-from core_models.errors import OutputError
 from studies.bar.taylor_impact import Quantity
 from studies.observers.history import History
+from studies.output.kept_file import DAMAGE, unreadable
 from studies.output.output_folder import OutputFolder
 from studies.runs.costs import Cost
 from studies.runs.result import FinalState, RunResult
@@ -52,10 +51,8 @@ def kept_run(
         final = FinalState(fields=fields, outline=outline, **{name: arrays[name] for name in FINAL})
     except FileNotFoundError:
         return None
-    except (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile) as error:
-        raise OutputError(
-            f"{path / FILE}: cannot be read ({error}); remove {path} and resume again"
-        ) from error
+    except DAMAGE as error:
+        raise unreadable(path / FILE, error, f"remove {path} and resume again") from error
     return RunResult(
         scene, method, resolution, wall, threads, history, cost, quantities=quantities, final=final, **record
     )

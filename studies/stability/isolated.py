@@ -103,6 +103,9 @@ def _limited(work: Callable[[], Result], pipe: Connection, within: float) -> Non
     resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
     resource.setrlimit(resource.RLIMIT_DATA, (MEMORY_LIMIT, MEMORY_LIMIT))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    # A command that is told to end ends its processes itself: they need not say anything.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
     logging.getLogger().handlers[:] = [
         logging.NullHandler()
     ]  # hard cases are warned of, each time: it is known
