@@ -23,7 +23,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """Options of `matpoint study stability`."""
     parser.add_argument("--quick", action="store_true", help="a tenth of the steps")
     parser.add_argument("--cases", metavar="NAME[,NAME...]", type=names, help="these cases (default: all)")
-    parser.add_argument("--methods", metavar="A[,B...]", type=names, help="variants (default: sixteen)")
+    parser.add_argument("--methods", metavar="A[,B...]", type=names, help="variants (default: eighteen)")
     parser.add_argument(
         "--workers", metavar="N", type=positive, help="cells at a time (default: one a processor)"
     )
