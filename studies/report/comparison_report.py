@@ -1,5 +1,7 @@
 """The report of a comparison: verdicts, shapes, quantities, convergence, histories, energies, costs."""
 
+from concurrent.futures import ThreadPoolExecutor
+
 from core_models.walls import MEANING
 from studies.bar.quantity_names import LEADING
 from studies.comparisons.comparison import Comparison
@@ -55,6 +57,26 @@ def report_of(comparison: Comparison, *, moving: bool = True) -> Report:
 
 
 def _results(comparison: Comparison, moving: bool) -> tuple[Section, ...]:
+    with ThreadPoolExecutor(1) as pool:
+        # A process of its own draws what moves: meanwhile this one draws the rest.
+        frames = pool.submit(over_time, comparison) if moving else None
+        short, shapes, *others = _still(comparison)
+        moved = _moving(frames.result() if frames else OverTime())
+    return (short, shapes, moved, *others)
+
+
+def _moving(frames: OverTime) -> Section:
+    return Section(
+        "time",
+        "Over time",
+        remarks=(frames.remark,) if frames.remark else (),
+        controls=frames.player,
+        figures=frames.figures,
+        caption=frames.caption,
+    )
+
+
+def _still(comparison: Comparison) -> tuple[Section, ...]:
     wall = f"Wall {comparison.wall}: {MEANING[comparison.wall]}."
     profiles = f"Edges of the deformed domains, their feet set on z = 0; coarser runs thin. {wall}"
     convergence = (
@@ -62,20 +84,11 @@ def _results(comparison: Comparison, moving: bool) -> tuple[Section, ...]:
         f"grey: values from elsewhere. {wall}"
     )
     heights = "Heights count from the foot: the median over the inner half of its radius."
-    frames = over_time(comparison) if moving else OverTime()
     notes = " ".join([LIMIT, heights, *quantity_notes(comparison)])
     return (
         Section("short", "In short", verdicts=tuple(_verdicts(comparison))),
         Section(
             "shapes", "Final shapes", figures=tuple(field_pictures(comparison)), caption=_ends(comparison)
-        ),
-        Section(
-            "time",
-            "Over time",
-            remarks=(frames.remark,) if frames.remark else (),
-            controls=frames.player,
-            figures=frames.figures,
-            caption=frames.caption,
         ),
         Section("profiles", "Profiles", figures=tuple(profile_plots(comparison)), caption=profiles),
         Section(
