@@ -1,6 +1,7 @@
 """Threads change nothing but the time."""
 
 import os
+import time
 
 import numpy as np
 import pytest
@@ -41,6 +42,24 @@ def test_two_runs_give_the_same_bits(pool):
     (one, works), (two, works_of_two) = (advanced(pool["hypo-jc-hot"], 1) for _ in range(2))
     assert works == works_of_two
     assert all(np.array_equal(field.array, two.fields()[name].array) for name, field in one.fields().items())
+
+
+@pytest.mark.skipif((os.cpu_count() or 1) < 2, reason="needs two processors")
+@pytest.mark.parametrize("seconds, shares", [(1e-4, 1), (1e-2, 2)])
+def test_only_work_that_takes_long_enough_is_shared(seconds, shares, monkeypatch):
+    """The first call may compile and tells nothing; afterwards short calls stay on one thread, long ones are split."""
+    monkeypatch.setattr("core_models.threads.LEAST_WORK", 2e-3)
+    seen = []
+
+    def kernel(first, last):
+        seen.append((first, last))
+        time.sleep(0.02 if len(seen) == 1 else seconds * (last - first) / 8)
+
+    threads = Threads(2)
+    for _ in range(4):
+        threads.run(kernel, 8)
+    assert seen[:2] == [(0, 8), (0, 8)]
+    assert sorted(seen[2:]) == ([(0, 8)] * 2 if shares == 1 else [(0, 4), (0, 4), (4, 8), (4, 8)])
 
 
 @pytest.mark.parametrize("count", [0, -1, 10**6])
