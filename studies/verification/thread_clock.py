@@ -22,7 +22,7 @@ class ThreadClock:
         """Seconds of the critical path."""
         return time.thread_time() + self._beyond
 
-    def _clocked(self, chunks: int, call: Callable[[int, int, int], None]) -> None:
+    def _clocked(self, kernel: Callable, chunks: int, call: Callable[[int, int, int], None]) -> None:
         spent = [0.0] * self._count
 
         def timed(thread: int, first: int, last: int) -> None:
@@ -30,5 +30,5 @@ class ThreadClock:
             call(thread, first, last)
             spent[thread] = time.thread_time() - began
 
-        self._share(chunks, timed)
+        self._share(kernel, chunks, timed)
         self._beyond += max(spent) - spent[0]
