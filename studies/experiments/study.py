@@ -31,9 +31,10 @@ QUICK = Extent((("fem-explicit", 3), ("mpm", 6)), 1, 20.0)
 
 @dataclass(frozen=True)
 class Outcome:
-    """All results, in the order of the shots; remark : what could not be written, or nothing."""
+    """All results, in the order of the shots, their report; remark : what could not be written, or nothing."""
 
     results: list[dict[str, Any]]
+    report: Report
     remark: str
 
     @property
@@ -81,8 +82,9 @@ def compare_experiments(
         results = run_sweep(jobs, folder, scheduler=scheduler, workers=workers, tell=tell)
         record = {**settings, "results": results, "versions": versions(), "processor": processor()}
         folder.write_text("results.json", to_json(record))
-        remark = write_report(_report(results, extent, quick), folder)
-    return Outcome(results, remark)
+        report = _report(results, extent, quick)
+        remark = write_report(report, folder)
+    return Outcome(results, report, remark)
 
 
 def _report(results: list[dict[str, Any]], extent: Extent, quick: bool) -> Report:

@@ -125,6 +125,20 @@ def test_the_study_goes_on_where_it_was_stopped(tmp_path, monkeypatch):
         compare_experiments(tmp_path / "out", going_on=True)
 
 
+def test_a_study_of_one_method_is_told_too(tmp_path, monkeypatch, capsys):
+    """Where every run of the other method has gone wrong, table and report are there all the same."""
+    monkeypatch.setattr("studies.sweep.sweep.is_installed", lambda: False)
+    monkeypatch.setattr(
+        "studies.sweep.sweep.results_by_processes", lambda jobs, workers: (only_mpm(job) for job in jobs)
+    )
+
+    def only_mpm(job):
+        return made(job) if "mpm" in job.key else {"key": job.key, "status": "failed", "message": "lost"}
+
+    assert main(["study", "experiments", "--quick", "--out", str(tmp_path / "out")]) == 3
+    assert "steel 4340, steel_4340_johnson_cook, mpm" in capsys.readouterr().out
+
+
 def made(job):
     """A result like that of `predict`: every value a hundredth too large."""
     shot, card, method, resolution, _ = job.arguments
@@ -161,17 +175,16 @@ def test_a_job_keeps_its_remarks(capfd):
     assert perform(Job("two", double, (1,)))["remarks"] == perform(Job("wrong", go_wrong))["remarks"] == []
 
 
-def test_the_command_tells_a_remark_once(capfd):
-    """However many runs make it; numerical fracture stands in the line of the run."""
+def test_the_command_passes_remarks_on(capfd, caplog):
+    """As warnings, which a command tells once each; numerical fracture stands in the line of the run."""
     parted = {"time": 2e-5, "pairs": 3, "position": [0.0, 1e-3], "stretch": 3.0}
     result = {"key": "shot", "status": "complete", "remarks": ["card.xml: odd", fracture_text(parted)]}
-    told = set()
-    _tell(result | {"numerical_fracture": parted}, 1, 2, 1.0, told)
-    _tell(result | {"remarks": ["card.xml: odd"]}, 2, 2, 2.0, told)
-    lines = capfd.readouterr().err.splitlines()
-    assert lines[0] == "card.xml: odd"
-    assert lines[1].endswith("shot complete: numerical fracture from t = 2.0000e-05 s on")
-    assert lines[2:] == ["[2/2, 0:00 left] shot complete"]
+    _tell(result | {"numerical_fracture": parted}, 1, 2, 1.0)
+    _tell(result | {"remarks": []}, 2, 2, 2.0)
+    assert caplog.messages == ["card.xml: odd"]
+    first, second = capfd.readouterr().err.splitlines()
+    assert first.endswith("shot complete: numerical fracture from t = 2.0000e-05 s on")
+    assert second == "[2/2, 0:00 left] shot complete"
 
 
 def test_a_dask_sweep_that_loses_a_worker_gives_the_same(tmp_path):

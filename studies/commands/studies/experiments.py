@@ -12,6 +12,7 @@ Exit status: 0; 2 bad input; 3 when some run went wrong.
 """
 
 import argparse
+import logging
 import sys
 import time
 from pathlib import Path
@@ -21,6 +22,7 @@ from studies.output.clock import clock
 from studies.output.default_folder import default_folder
 
 WRONG = 3
+logger = logging.getLogger(__name__)
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -46,37 +48,33 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 def execute(options: argparse.Namespace) -> int:
     """Run what is not done yet, print the medians and where the report is."""
     from studies.experiments.study import compare_experiments
-    from studies.experiments.tables import sections
     from studies.output.study_output import print_study
     from studies.report.study_text import table_text
 
     out = Path(options.resume or options.out or default_folder("experiments"))
-    began, told = time.monotonic(), set()
+    began = time.monotonic()
     outcome = compare_experiments(
         out,
         quick=options.quick,
         going_on=options.resume is not None,
         scheduler=options.scheduler,
         workers=options.workers,
-        tell=lambda result, done, all_: _tell(result, done, all_, time.monotonic() - began, told),
+        tell=lambda result, done, all_: _tell(result, done, all_, time.monotonic() - began),
     )
-    methods = tuple(dict.fromkeys(result["method"] for result in outcome.results if "method" in result))
-    shown = sections(outcome.results, methods)[:2] if methods else ()
-    text = "\n\n".join(table_text(each.tables[0]) for each in shown)
+    text = "\n\n".join(table_text(each.tables[0]) for each in outcome.report.sections[:2])
     print_study(out, text, outcome.remark, as_json=options.json)
     return WRONG if outcome.failed else 0
 
 
-def _tell(result: dict, done: int, all_: int, passed: float, told: set[str]) -> None:
-    """One line a run, and what it remarks that no other has; numerical fracture is told by that line."""
+def _tell(result: dict, done: int, all_: int, passed: float) -> None:
+    """One line a run, and its remarks as warnings of this process; numerical fracture is told by that line."""
     from studies.observers.fracture_watch import fracture_text
 
     parted = result.get("numerical_fracture")
     fracture = "" if parted is None else fracture_text(parted)
     for remark in result.get("remarks", ()):
-        if remark != fracture and remark not in told:
-            told.add(remark)
-            print(remark, file=sys.stderr)
+        if remark != fracture:
+            logger.warning("%s", remark)
     said = fracture.partition(":")[0] if result["status"] == "complete" else result["message"][:120]
     said = f": {said}" if said else ""
     left = clock(passed / done * (all_ - done))
